@@ -75,13 +75,13 @@ static const cli_flag flags[] = {
     {CLI_SWITCH("facts", "measure volume, area and defects", render.input.measure),
      .phases = CLI_PHASE_LOAD, .common = 1, .aliases = "measure,volume,info",
      .manual = "Measures each mesh as *burnish info* does, and adds the results to the report and "
-               "to *index.html*, which can then be sorted by volume, area and defects. Meshes "
-               "that are not closed get a badge."},
+               "to *index.html*, which can then be sorted by volume, area and defects. Meshes that "
+               "are not closed get a badge."},
     {CLI_FLAG("unit", "NAME", "unit of files that state none", cli_flag_word, unit),
      .words = unit_words, .default_text = "none",
-     .manual = "Unit of length of files that state none, such as STL, for *index.html*: volumes "
-               "are then in cm3, or in cubic inches for *in* and *ft*. Files in 3MF and glTF state "
-               "their unit."},
+     .manual =
+         "Unit of length of files that state none, such as STL, for *index.html*: volumes are then "
+         "in cm3, or in cubic inches for *in* and *ft*. Files in 3MF and glTF state their unit."},
     {CLI_FLAG("sheet", "FILE", "write a contact sheet", cli_flag_text, sheet), .common = 1,
      .file = CLI_WRITES, .aliases = "contact-sheet,montage",
      .manual =
@@ -94,8 +94,8 @@ static const cli_flag flags[] = {
                "prints it at the end; the next run then draws everything."},
     {CLI_SWITCH("force", "draw unchanged inputs again", force), .letter = 'f', .common = 1,
      .manual = "Draws all pictures again. By default an input is skipped if its picture exists and "
-               "the report lists it with the same content, the same content of files that it or "
-               "a flag names, the same flags and the same version."},
+               "the report lists it with the same content, the same content of files that it or a "
+               "flag names, the same flags and the same version."},
     {CLI_FLAG("shard", "I/N", "draw part I of N, balanced by file size", flag_part, part),
      .common = 1, .aliases = "part,partition,array",
      .manual =
@@ -103,9 +103,9 @@ static const cli_flag flags[] = {
          "tasks must see the same inputs, which are divided by size. The report is "
          "*burnish-batch-*_I_*-of-*_N_*.jsonl*. Afterwards the same command without *--shard* "
          "draws what is missing, merges the reports and removes those of the parts.\n"
-         "*--shard=rank* takes _I_ and _N_ from *mpirun* or *srun*, which has started the "
-         "program. The exit code is then 0 even if inputs fail, because *mpirun* would end the "
-         "other ranks; that of the last command counts."},
+         "*--shard=rank* takes _I_ and _N_ from *mpirun* or *srun*, which has started the program. "
+         "The exit code is then 0 even if inputs fail, because *mpirun* would end the other ranks; "
+         "that of the last command counts."},
     {CLI_FLAG("jobs", "N", "pictures at a time", cli_flag_integer, jobs), CLI_RANGE(0, 1024),
      .default_text = "0", .default_label = "all cores", .letter = 'j', .common = 1,
      .aliases = "threads,parallel",
@@ -245,10 +245,10 @@ static burnish_status flag_part(const cli_flag *flag, const char *text, void *ta
     if (!slash || !cli_read_real(text, (size_t)(slash - text), &index) ||
         !cli_read_real(slash + 1, strlen(slash + 1), &count) || index < 1 || index > count ||
         count > 1e6 || index != (double)(int)index || count != (double)(int)count) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: \"%.60s\": expected I/N with 1 <= I <= N <= 1000000, such as 3/100, "
-                        "or rank",
-                        flag->name, text);
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--%s: \"%.60s\": expected I/N with 1 <= I <= N <= 1000000, such as 3/100, or rank",
+            flag->name, text);
     }
     *part = (batch_part){(int)index, (int)count, 0};
     return BURNISH_STATUS_OK;
@@ -432,11 +432,10 @@ static burnish_status check_other_files(const batch *b, burnish_error *error) {
     burnish_error unused;
     if (b->settings->sheet && !b->settings->render.output.overwrite &&
         picture_check_existing(b->settings->sheet, 1, &unused) != BURNISH_STATUS_OK) {
-        return cli_fail(
-            error, BURNISH_STATUS_ARGUMENT,
-            "--sheet: \"%.200s\" exists and was not written by burnish; replace it with "
-            "--overwrite, or name another file",
-            b->settings->sheet);
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--sheet: \"%.200s\" exists and was not written by burnish; replace it "
+                        "with --overwrite, or name another file",
+                        b->settings->sheet);
     }
     return b->settings->index ? batch_check_index(b, error) : BURNISH_STATUS_OK;
 }

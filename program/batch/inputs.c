@@ -123,8 +123,8 @@ static burnish_status add_name(batch *b, const char *name, burnish_error *error)
     uint64_t bytes = 0;
     if (strcmp(name, "-") == 0) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "a mesh on standard input has no name; give it alone, or "
-                        "--files-from=- for a list of names");
+                        "a mesh on standard input has no name; give it alone, or --files-from=- "
+                        "for a list of names");
     }
     if (*name == ':') {
         return add_item(&b->list, name, 1, 0, error);

@@ -175,10 +175,9 @@ static int32_t find_color(const char *name, size_t length) {
 #define NAME(name, rgb) ", " #name
 const cli_section cli_color_section = {
     .heading = "COLOURS",
-    .text =
-        "_COLOR_ is *#rgb* or *#rrggbb* in hexadecimal, *r,g,b* with sRGB values from 0 to 1, or a "
-        "name of CSS, such as *lightgrey* or *steelblue*. These names are burnish's own or have "
-        "softer values than in CSS: white" OWN_COLORS(NAME) ".",
+    .text = "_COLOR_ is *#rgb* or *#rrggbb* in hexadecimal, *r,g,b* with sRGB values from 0 to 1, "
+            "or a name of CSS, such as *lightgrey* or *steelblue*. These names are burnish's own "
+            "or have softer values than in CSS: white" OWN_COLORS(NAME) ".",
 };
 
 static int hex_digit(char c) {

@@ -64,12 +64,11 @@ int cli_is_mesh_name(const char *name) {
 
 burnish_status cli_refuse_foreign(int format, burnish_error *error) {
     const char *extension = cli_foreign_extension(format);
-    return extension
-               ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                          "--input-format: %s needs an importer, which is not available here; "
-                          "convert the file to glTF, OBJ, PLY or STL",
-                          extension)
-               : BURNISH_STATUS_OK;
+    return extension ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "--input-format: %s needs an importer, which is not available "
+                                "here; convert the file to glTF, OBJ, PLY or STL",
+                                extension)
+                     : BURNISH_STATUS_OK;
 }
 
 burnish_status cli_flag_texture_pixels(const cli_flag *flag, const char *text, void *target,

@@ -45,9 +45,9 @@ static const cli_section environment = {
     .terms =
         (const cli_term[]){
             {"*BURNISH_IMPORTERS*",
-             "the folder of the programs *burnish-import-assimp* and *burnish-import-occt*, "
-             "which read other formats (FBX, COLLADA, STEP ...), instead of the folder in "
-             "which they are installed."},
+             "the folder of the programs *burnish-import-assimp* and *burnish-import-occt*, which "
+             "read other formats (FBX, COLLADA, STEP ...), instead of the folder in which they are "
+             "installed."},
             {"*BURNISH_ISA*", "the instruction set if *--isa* is *auto*; the same values."},
             {"*PATH*", "the folders of ffmpeg, for videos."},
             {NULL, NULL},
@@ -132,8 +132,8 @@ static int start_beside(const cli_command *command, int argc, char **argv) {
     own[length < sizeof own ? length : 0] = 0;
     if (!find_beside(own, name, path, sizeof path)) {
         fprintf(stderr,
-                "burnish: %s: %s is not installed next to this program; install it, or build it "
-                "by cmake -S lobe\n",
+                "burnish: %s: %s is not installed next to this program; install it, or build it by "
+                "cmake -S lobe\n",
                 command->name, name);
         return CLI_EXIT_NO_PROGRAM;
     }

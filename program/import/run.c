@@ -241,10 +241,10 @@ burnish_status import_run(const import_program *importer, const char *name, cons
     const uint64_t size =
         fstat(input, &state) == 0 && state.st_size > 0 ? (uint64_t)state.st_size : (uint64_t)0;
     if (size > max_bytes) {
-        return cli_fail(error, BURNISH_STATUS_LIMIT,
-                        "%.300s: larger than the limit of %llu bytes; raise the limit or simplify "
-                        "the mesh",
-                        name, (unsigned long long)max_bytes);
+        return cli_fail(
+            error, BURNISH_STATUS_LIMIT,
+            "%.300s: larger than the limit of %llu bytes; raise the limit or simplify the mesh",
+            name, (unsigned long long)max_bytes);
     }
     const uint64_t counted = size < UINT64_MAX / 1024 ? size : UINT64_MAX / 1024;
     r.most = MOST_FIXED + counted * MOST_FACTOR;

@@ -26,10 +26,9 @@ static const cli_flag flags[] = {
      CLI_JSON_FLAG(info_settings, json, "JSON instead of text", "FACTS IN JSON")},
     {CLI_FLAG("csv", "FILE", "a table in CSV instead of text", cli_flag_file, csv), .common = 1,
      .optional = 1, .file = CLI_REPORTS, .aliases = "table",
-     .manual =
-         "Writes a row for each input to _FILE_, or to standard output without *=*_FILE_. The "
-         "columns have the names of the keys in JSON; *size* has three columns. A row of an "
-         "input that can not be read has only input and error."},
+     .manual = "Writes a row for each input to _FILE_, or to standard output without *=*_FILE_. "
+               "The columns have the names of the keys in JSON; *size* has three columns. A row of "
+               "an input that can not be read has only input and error."},
     {CLI_SWITCH("recursive", "search folders recursively", recursive), .letter = 'r', .common = 1,
      .manual = "Measures the meshes in all folders below an _INPUT_ that is a folder."},
     {CLI_FLAG("files-from", "FILE", "read names of INPUTs; -: standard input", cli_flag_text,
@@ -69,13 +68,13 @@ static const cli_term json_terms[] = {
     {"*materials*", "after loading: at least 1"},
     {"*unit*", "of lengths, from 3MF or glTF: micron, millimeter, centimeter, inch, foot or meter; "
                "null if unknown"},
-    {"*bounding_box*", "*min*, *max* and *size* of the triangles with area, or of the positions "
-                       "of points or lines, in the units of the input"},
+    {"*bounding_box*", "*min*, *max* and *size* of the triangles with area, or of the positions of "
+                       "points or lines, in the units of the input"},
     {"*up, up_source*", "the up axis in pictures; format, or auto if it is not the axis of the "
                         "format because the object would fall over (docs/up.md)"},
     {"*tipping_angles*",
-     "degrees by which the object can lean on +Y and +Z before it falls, "
-     "negative if it falls; null for points, lines and formats that state their axis"},
+     "degrees by which the object can lean on +Y and +Z before it falls, negative if it falls; "
+     "null for points, lines and formats that state their axis"},
     {"*sheet*", "true if an extent of the object is at most 0.5 % of its longest one; the default "
                 "view shows it face on"},
     {"*normals*", "in pictures: file; generated, if the file has none; replaced, if those of the "
@@ -95,8 +94,7 @@ static const cli_term json_terms[] = {
      "them, but is with vertices of its open edges joined that lie within a millionth of the "
      "longest side of *bounding_box* along each axis, is closed: *join_tolerance* is this "
      "distance, *exact_open_edges* counts without joining, and edges, shells and windings are "
-     "those "
-     "of the joined surface"},
+     "those of the joined surface"},
     {"*consistent_winding*", "true if *inconsistent_edges* is 0"},
     {"*shells*", "parts connected by edges; parts that only share a vertex are separate"},
     {"*edges, open_edges, non_manifold_edges*",
@@ -115,12 +113,10 @@ static const cli_term json_terms[] = {
 
 static const cli_section sections[] = {
     {.heading = "FACTS IN JSON",
-     .text =
-         "The output of *burnish info --json* is one object per line (JSON lines), also for a "
-         "single input. Among several inputs, one that can not be read has the keys *input* and "
-         "error. Lengths are in *unit*. Numbers "
-         "read back as exactly the computed values, in double precision from single precision "
-         "coordinates.",
+     .text = "The output of *burnish info --json* is one object per line (JSON lines), also for a "
+             "single input. Among several inputs, one that can not be read has the keys *input* "
+             "and error. Lengths are in *unit*. Numbers read back as exactly the computed values, "
+             "in double precision from single precision coordinates.",
      .terms = json_terms},
     {.heading = NULL},
 };
@@ -132,17 +128,16 @@ const cli_command info_command = {
     .operand_help = CLI_INPUT_HELP,
     .manual =
         "Measures each _INPUT_, which can be any input of *burnish render* or a folder: bounding "
-        "box, area, volume, "
-        "centre of mass, whether the surface is closed and its winding consistent, open and "
-        "non-manifold edges, shells, flipped, degenerate and duplicate triangles. For an input "
-        "with points or lines instead of faces it prints their number and the box of their "
-        "positions, regardless of the size in which *burnish render* draws them.\nThe results are "
-        "about the triangles of the file, before *burnish render* flips triangles that contradict "
-        "their normals and drops those without area. Vertices with exactly equal positions are the "
-        "same. If the surface is not closed then, vertices of its open edges are joined if they "
-        "are within a millionth of the longest side, the size of rounding errors; if that closes "
-        "it, it counts as closed, and the tolerance is printed. Larger gaps stay open. A volume "
-        "needs a closed surface with a consistent winding.",
+        "box, area, volume, centre of mass, whether the surface is closed and its winding "
+        "consistent, open and non-manifold edges, shells, flipped, degenerate and duplicate "
+        "triangles. For an input with points or lines instead of faces it prints their number and "
+        "the box of their positions, regardless of the size in which *burnish render* draws "
+        "them.\nThe results are about the triangles of the file, before *burnish render* flips "
+        "triangles that contradict their normals and drops those without area. Vertices with "
+        "exactly equal positions are the same. If the surface is not closed then, vertices of its "
+        "open edges are joined if they are within a millionth of the longest side, the size of "
+        "rounding errors; if that closes it, it counts as closed, and the tolerance is printed. "
+        "Larger gaps stay open. A volume needs a closed surface with a consistent winding.",
     .operands_max = SIZE_MAX,
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,

@@ -34,10 +34,10 @@ int picture_time(const picture_animation *animation, int frame, int units_per_se
 }
 
 static burnish_status check_memory(const picture_animation *animation, burnish_error *error) {
-    return animation->out.failed ? cli_fail(error, BURNISH_STATUS_MEMORY,
-                                            "out of memory: the animation; free memory, or draw "
-                                            "smaller frames")
-                                 : BURNISH_STATUS_OK;
+    return animation->out.failed
+               ? cli_fail(error, BURNISH_STATUS_MEMORY,
+                          "out of memory: the animation; free memory, or draw smaller frames")
+               : BURNISH_STATUS_OK;
 }
 
 static const picture_animator *animator_of(picture_format format) {

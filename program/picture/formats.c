@@ -96,10 +96,10 @@ static burnish_status fail_format(const char *flag, const char *path, int use,
                                                              : "turntables are";
     char extensions[96];
     if ((use & PICTURE_LINES) && is_extension(path, moving, sizeof moving / sizeof *moving)) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: \"%.200s\": only a turntable moves; write one with "
-                        "--turntable=FILE, in %s",
-                        flag, path, list_names(PICTURE_ANIMATION).text);
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--%s: \"%.200s\": only a turntable moves; write one with --turntable=FILE, in %s",
+            flag, path, list_names(PICTURE_ANIMATION).text);
     }
     if (use == PICTURE_ANIMATION && is_extension(path, moving, sizeof moving / sizeof *moving)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -202,11 +202,12 @@ burnish_status picture_check_existing(const char *path, int is_derived, burnish_
                                     : !is_written_name(path) && stat(path, &status) == 0 &&
                                           S_ISREG(status.st_mode) && status.st_size > 0;
     return is_there && !is_own_picture(path)
-               ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                          "%.200s: exists and was not written by burnish; %s", path,
-                          is_derived ? "replace it with --overwrite, or name the picture with "
-                                       "--output=FILE"
-                                     : "delete it, or name another file")
+               ? cli_fail(
+                     error, BURNISH_STATUS_ARGUMENT,
+                     "%.200s: exists and was not written by burnish; %s", path,
+                     is_derived
+                         ? "replace it with --overwrite, or name the picture with --output=FILE"
+                         : "delete it, or name another file")
                : BURNISH_STATUS_OK;
 }
 
@@ -223,10 +224,10 @@ burnish_status picture_choose(const char *flag, const char *path, int use, pictu
         return fail_format(flag, path, use, error);
     }
     if (rows[*format].library) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: \"%.200s\": this build writes no %s, since it was made without %s; "
-                        "write a PNG",
-                        flag, path, rows[*format].name, rows[*format].library);
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--%s: \"%.200s\": this build writes no %s, since it was made without %s; write a PNG",
+            flag, path, rows[*format].name, rows[*format].library);
     }
     return picture_container(*format) ? picture_check_video(flag, path, error)
            : use == PICTURE_8_BIT     ? picture_check_existing(path, 0, error)

@@ -49,10 +49,10 @@ static burnish_status lay_out(const burnish_image *picture, layout *l, burnish_e
             return BURNISH_STATUS_OK;
         }
     }
-    return cli_fail(error, BURNISH_STATUS_LIMIT,
-                    "--output: three panels of %d x %d pixels exceed %d pixels; leave the picture "
-                    "out",
-                    picture->width, picture->height, BURNISH_IMAGE_MAX_SIZE);
+    return cli_fail(
+        error, BURNISH_STATUS_LIMIT,
+        "--output: three panels of %d x %d pixels exceed %d pixels; leave the picture out",
+        picture->width, picture->height, BURNISH_IMAGE_MAX_SIZE);
 }
 
 static void corner_of(const layout *l, int panel, int *x, int *y) {

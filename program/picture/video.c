@@ -71,10 +71,10 @@ static void become_ffmpeg(const char *file, const char *container) {
     const char *arguments[40] = {NULL};
     size_t count = 0;
     snprintf(line, sizeof line,
-             "ffmpeg -nostdin -loglevel error -f yuv4mpegpipe -i pipe:0 "
-             "-vf crop=trunc(iw/2)*2:trunc(ih/2)*2 -crf 20 -b:v 0 -pix_fmt yuv420p "
-             "-colorspace bt709 -color_primaries bt709 -color_trc iec61966-2-1 -color_range tv "
-             "-metadata comment=burnish -movflags +faststart -f %s -y /dev/fd/1",
+             "ffmpeg -nostdin -loglevel error -f yuv4mpegpipe -i pipe:0 -vf "
+             "crop=trunc(iw/2)*2:trunc(ih/2)*2 -crf 20 -b:v 0 -pix_fmt yuv420p -colorspace bt709 "
+             "-color_primaries bt709 -color_trc iec61966-2-1 -color_range tv -metadata "
+             "comment=burnish -movflags +faststart -f %s -y /dev/fd/1",
              container);
     for (char *word = strtok(line, " "); word; word = strtok(NULL, " ")) {
         arguments[count++] = word;

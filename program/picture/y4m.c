@@ -17,10 +17,10 @@ static size_t chroma_size(int width, int height) {
 picture_frames picture_expect_frames(int width, int height, int fps, int frames) {
     picture_frames f = {.frame_size = MARKER_SIZE + (uint64_t)width * (uint64_t)height +
                                       2 * chroma_size(width, height)};
-    f.head_size = (uint64_t)snprintf(f.head, sizeof f.head,
-                                     "YUV4MPEG2 W%d H%d F%d:1 Ip A1:1 C420jpeg XYSCSS=420JPEG "
-                                     "XCOLORRANGE=LIMITED\n",
-                                     width, height, fps);
+    f.head_size = (uint64_t)snprintf(
+        f.head, sizeof f.head,
+        "YUV4MPEG2 W%d H%d F%d:1 Ip A1:1 C420jpeg XYSCSS=420JPEG XCOLORRANGE=LIMITED\n", width,
+        height, fps);
     f.total = f.head_size + f.frame_size * (uint64_t)frames;
     return f;
 }

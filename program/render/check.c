@@ -143,15 +143,15 @@ static burnish_status choose_drawing(render_settings *settings, burnish_error *e
     const char *what = drawing_format(settings) == PICTURE_PDF ? "a PDF" : "an SVG";
     if (settings->shading.look != BURNISH_LOOK_DRAWING) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--output: \"%.200s\": %s has lines, not shading; use --look=drawing, "
-                        "or the extension .png",
+                        "--output: \"%.200s\": %s has lines, not shading; use --look=drawing, or "
+                        "the extension .png",
                         render_output_path(&settings->output), what);
     }
     if (settings->picture.background.environment) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--background-color: %s can't show an environment; use a colour, or the "
-                        "extension .png",
-                        what);
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--background-color: %s can't show an environment; use a colour, or the extension .png",
+            what);
     }
     if (settings->picture.rows.count > 0) {
         return cli_fail(
@@ -237,9 +237,9 @@ static burnish_status check_scale_flags(const render_settings *settings, burnish
                         "--%s: a perspective has no scale; omit --camera-orthographic=no", scale);
     }
     if (settings->camera.orthographic_height.given && settings->camera.zoom.value != 1) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--zoom: --camera-orthographic-height already sets the "
-                        "scale; omit one of them");
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--zoom: --camera-orthographic-height already sets the scale; omit one of them");
     }
     return BURNISH_STATUS_OK;
 }
@@ -351,9 +351,9 @@ static burnish_status check_reference(render_settings *settings, burnish_error *
     const char *reference = settings->output.reference,
                *difference = settings->output.reference_difference;
     if (!reference && difference) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--reference-difference: there is no reference; name it with "
-                        "--reference=FILE");
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--reference-difference: there is no reference; name it with --reference=FILE");
     }
     if (reference &&
         (settings->output.format == PICTURE_EXR || settings->output.format == PICTURE_NPY)) {

@@ -96,22 +96,20 @@ static const cli_flag flags[] = {
      .manual =
          "Writes the picture to _FILE_, or to standard output for *-*. The file extension chooses "
          "the format: *.png*, *.jpg*, *.jpeg*, *.webp*, *.svg*, *.pdf*, *.exr* or *.npy*; see "
-         "*FORMATS*. "
-         "A name without an extension is a PNG. Any other extension is an error, such as *.stl*, "
-         "and so is a terminal as standard output. The file is complete or does not appear: it is "
-         "written under a temporary name and renamed. An existing _FILE_ is replaced, but without "
-         "one of these extensions only if burnish wrote it, it is empty, or with *--overwrite*. If "
-         "_FILE_ is a folder, the picture has its default name there. Without this "
-         "flag the picture has the name of _INPUT_ with *.png*, in the current folder "
+         "*FORMATS*. A name without an extension is a PNG. Any other extension is an error, such "
+         "as *.stl*, and so is a terminal as standard output. The file is complete or does not "
+         "appear: it is written under a temporary name and renamed. An existing _FILE_ is "
+         "replaced, but without one of these extensions only if burnish wrote it, it is empty, or "
+         "with *--overwrite*. If _FILE_ is a folder, the picture has its default name there. "
+         "Without this flag the picture has the name of _INPUT_ with *.png*, in the current folder "
          "(*teapot.png* for *:teapot*), or goes to standard output when _INPUT_ is *-*. A file "
          "that already has this default name is replaced only if burnish wrote it, or with "
          "*--overwrite*.\n*{model}*, *{folder}*, *{extension}* and *{view}* in _FILE_ are replaced "
-         "by "
-         "parts of _INPUT_'s name and by the view, as in *burnish batch*. Several inputs need one "
-         "of them, or *--output-dir*.\nInstead of this flag, a second operand can name the picture "
-         "or the turntable: *burnish part.stl part.jpg*. An existing picture is then replaced only "
-         "if burnish wrote it, or with *--overwrite*. A last operand that is a folder receives the "
-         "pictures of all others, as with *cp*; *-* is standard output."},
+         "by parts of _INPUT_'s name and by the view, as in *burnish batch*. Several inputs need "
+         "one of them, or *--output-dir*.\nInstead of this flag, a second operand can name the "
+         "picture or the turntable: *burnish part.stl part.jpg*. An existing picture is then "
+         "replaced only if burnish wrote it, or with *--overwrite*. A last operand that is a "
+         "folder receives the pictures of all others, as with *cp*; *-* is standard output."},
     {FILE_FLAG("output-dir", "FOLDER", "folder of the pictures, one per INPUT", cli_flag_text,
                output.folder),
      .not_for = HEIR_ANY, .letter = 'd', .common = 1, .file = CLI_FOLDER,
@@ -176,17 +174,16 @@ static const cli_flag flags[] = {
      .manual = "Makes the background transparent: the PNG has an alpha channel."},
     {DRAW_FLAG("views", "LIST", "one or more", render_flag_views, picture.views),
      .value_type = CLI_TYPE_WORDS, .common = 1, .words = view_words, .aliases = "view",
-     .manual =
-         "Standard views along the axes; a list with commas makes one labelled sheet. "
-         "*front* shows the side that faces the viewer when the up axis points up (+Z for up "
-         "+Y, -Y for up +Z), *iso* is the isometric view from the upper right front. They "
-         "are parallel projections unless *--camera-orthographic=no* is given. Each view is "
-         "framed separately, in its own scale unless *--same-scale* is given. *third-angle* and "
-         "*first-angle* are drawing sheets: front, top and side view aligned at one scale, "
-         "*iso* in the free corner, a frame, and the symbol of the projection. "
-         "*--resolution* is the size of the whole sheet, by default A4 at 144 dots per inch. "
-         "*--annotate=dimensions* gives each length once. With *--dpi* a unit is a "
-         "millimetre, and the scale on paper is one of ISO 5455, such as 1:2."},
+     .manual = "Standard views along the axes; a list with commas makes one labelled sheet. "
+               "*front* shows the side that faces the viewer when the up axis points up (+Z for up "
+               "+Y, -Y for up +Z), *iso* is the isometric view from the upper right front. They "
+               "are parallel projections unless *--camera-orthographic=no* is given. Each view is "
+               "framed separately, in its own scale unless *--same-scale* is given. *third-angle* "
+               "and *first-angle* are drawing sheets: front, top and side view aligned at one "
+               "scale, *iso* in the free corner, a frame, and the symbol of the projection. "
+               "*--resolution* is the size of the whole sheet, by default A4 at 144 dots per inch. "
+               "*--annotate=dimensions* gives each length once. With *--dpi* a unit is a "
+               "millimetre, and the scale on paper is one of ISO 5455, such as 1:2."},
     {DRAW_FLAG("annotate", "LIST", "draw measurements", render_flag_annotate, picture.annotations),
      .value_type = CLI_TYPE_WORDS, .not_for = HEIR_COMPARE | HEIR_VIEW, .words = annotation_words,
      .off = "none", .aliases = "annotations,axis,grid,dimensions,scale-bar,bounding-box",
@@ -197,8 +194,7 @@ static const cli_flag flags[] = {
          "times a power of 10 (parallel projections only; in perspective it is omitted with a "
          "warning); *grid*, lines on the ground with such a spacing, and the spacing; *none*. "
          "Numbers are in the units of the input, rounded to four digits. Framing leaves room for "
-         "annotations; "
-         "one that does not fit is omitted with a warning."},
+         "annotations; one that does not fit is omitted with a warning."},
     {DRAW_FLAG("columns", "N", "columns of a sheet", cli_flag_integer, picture.columns),
      .not_for = HEIR_ONE_PICTURE, CLI_RANGE(1, 256), .default_label = "near a square",
      .manual = "Number of cells in a row of a sheet. A sheet has a cell for each view and lobe; "
@@ -229,10 +225,10 @@ static const cli_flag flags[] = {
      .manual = "Quality of JPEG (90 by default) and WebP (lossless by default), from 1 to 100."},
     {FILE_FLAG("dpi", "N", "dots per inch, for printing", cli_flag_real, output.dots_per_inch),
      CLI_RANGE(1, 65535), .default_label = "none",
-     .manual = "Print resolution stored in PNG and JPEG; the pixels do not change. The width and "
-               "height of an SVG or PDF are then in millimetres: pixels times 25.4 / _N_. With _N_ "
-               "= 25.4 "
-               "times *pixels_per_unit* of the report, a drawing in millimetres prints at 1:1."},
+     .manual =
+         "Print resolution stored in PNG and JPEG; the pixels do not change. The width and height "
+         "of an SVG or PDF are then in millimetres: pixels times 25.4 / _N_. With _N_ = 25.4 times "
+         "*pixels_per_unit* of the report, a drawing in millimetres prints at 1:1."},
     {FILE_FLAG("plane", "NAME:FILE", "depth, normal, triangle, material, coverage or color",
                render_flag_plane, output.planes),
      .not_for = HEIR_ANY, .svg = CLI_SVG_SAME, .file = CLI_WRITES, .repeats = 1,
@@ -246,14 +242,13 @@ static const cli_flag flags[] = {
     {FILE_FLAG("turntable", "FILE", "animation: .gif .webp .mp4 .webm", cli_flag_text,
                output.turntable),
      .not_for = HEIR_ANY, .file = CLI_WRITES,
-     .manual =
-         "Writes an animation instead of a picture: one turn of the camera to the right, "
-         "around the up axis through the focal point. The last frame continues into the "
-         "first. All frames have the same framing, in which nothing is cut off. *.gif* has "
-         "one palette for all frames; *.webp* is lossless unless *--quality* is given. *.mp4* "
-         "and *.webm* are encoded by *ffmpeg*, which must be in *PATH*; of an odd width or "
-         "height one column or row is cut off. *-* writes Y4M to standard output, for other "
-         "video encoders: 4:2:0, limited range, BT.709."},
+     .manual = "Writes an animation instead of a picture: one turn of the camera to the right, "
+               "around the up axis through the focal point. The last frame continues into the "
+               "first. All frames have the same framing, in which nothing is cut off. *.gif* has "
+               "one palette for all frames; *.webp* is lossless unless *--quality* is given. "
+               "*.mp4* and *.webm* are encoded by *ffmpeg*, which must be in *PATH*; of an odd "
+               "width or height one column or row is cut off. *-* writes Y4M to standard output, "
+               "for other video encoders: 4:2:0, limited range, BT.709."},
     {FILE_FLAG("frames", "N", "frames of a turntable", cli_flag_integer, output.frames),
      .not_for = HEIR_ANY, .svg = CLI_SVG_SAME, CLI_RANGE(2, 3600), .default_text = "60",
      .manual = "Number of frames, from 2 to 3600."},
@@ -276,12 +271,12 @@ static const cli_flag flags[] = {
      .aliases = "up-axis,up-direction",
      .manual =
          "The axis of the object that points up. *format* is that of the input's "
-         "format: " FORMAT_AXES ". "
-         "*auto*, the default, is the same except for objects that would fall over: an OBJ, PLY or "
-         "OFF file whose object is stable on +Z, and an STL file whose object falls on +Z and "
+         "format: " FORMAT_AXES
+         ". *auto*, the default, is the same except for objects that would fall over: an OBJ, PLY "
+         "or OFF file whose object is stable on +Z, and an STL file whose object falls on +Z and "
          "is very stable on +Y. *burnish info* prints how stable it is. An object that is flat, "
-         "with an extent of at most 0.5 % of its longest one, is a drawing: it keeps the axis, "
-         "and the default view shows it face on. See docs/up.md."},
+         "with an extent of at most 0.5 % of its longest one, is a drawing: it keeps the axis, and "
+         "the default view shows it face on. See docs/up.md."},
     {DRAW_FLAG("camera-direction", "X,Y,Z", "direction of view; frames the object",
                cli_flag_nonzero, camera.direction),
      .default_label = "three-quarter", .common = 1,
@@ -356,8 +351,8 @@ static const cli_flag flags[] = {
      .common = 1,
      .words = render_look_words,
      .manual = "A preset of lights, background, grey surface colour, ambient occlusion and edges; "
-               "see *LOOKS*. Other flags change parts of it. With *--equation=phong* or another "
-               " *--lobe* than the default, the default look is *three-point*."},
+               "see *LOOKS*. Other flags change parts of it. With *--equation=phong* or another  "
+               "*--lobe* than the default, the default look is *three-point*."},
     {DRAW_FLAG("color", "COLOR", "colour of the whole object", cli_flag_color, shading.color),
      .value_type = CLI_TYPE_COLOR, .common = 1, .aliases = "colour,object-color",
      .manual = "Colour of the whole object, instead of the colours of the input; see *COLOURS*."},
@@ -398,17 +393,15 @@ static const cli_flag flags[] = {
     {DRAW_FLAG("light", "SPEC", "KIND:X,Y,Z[:...], file; repeatable", render_flag_light,
                shading.lights),
      .svg = CLI_SVG_REFUSED, .default_label = "the look's", .off = "none", .repeats = 1,
-     .manual = "A light that replaces the lights of the look; see *LIGHTS*. "
-               "Can be repeated: up to 64 lights and 8 area lights. *file* adds the lights of the "
-               "input. *none* "
-               "removes the rig and all lights so far."},
+     .manual = "A light that replaces the lights of the look; see *LIGHTS*. Can be repeated: up to "
+               "64 lights and 8 area lights. *file* adds the lights of the input. *none* removes "
+               "the rig and all lights so far."},
     {DRAW_FLAG("environment", "NAME|FILE", "sky, room or an image: light from all directions",
                cli_flag_text, shading.environment.name),
      .default_label = "none", .file = CLI_READS, .aliases = "hdri-file",
-     .manual =
-         "Light from all directions, which replaces the lights of the look: *sky*, *room*, or an "
-         "equirectangular image in Radiance HDR or EXR. Smooth and metallic surfaces reflect "
-         "it. Lights of *--light* are added."},
+     .manual = "Light from all directions, which replaces the lights of the look: *sky*, *room*, "
+               "or an equirectangular image in Radiance HDR or EXR. Smooth and metallic surfaces "
+               "reflect it. Lights of *--light* are added."},
     {DRAW_FLAG("environment-strength", "F", "factor of the environment's light", cli_flag_real,
                shading.environment.strength),
      CLI_RANGE(0, 1000), .default_text = "1", .manual = "Factor of the environment's light."},
@@ -435,11 +428,10 @@ static const cli_flag flags[] = {
                "room for the shadow, and more on the right with *--shadow*."},
     {DRAW_SWITCH("shadow", "shadow of the key light on the object", shading.shadow),
      .svg = CLI_SVG_REFUSED, .aliases = "shadows,cast-shadows",
-     .manual =
-         "The first light, which must be directional, casts a shadow with a soft edge on the "
-         "object "
-         "itself, and on the ground of *--ground*. In the look *studio*, or if all lights are area "
-         "lights, the strongest area light does, as if all of its light came from its centre."},
+     .manual = "The first light, which must be directional, casts a shadow with a soft edge on the "
+               "object itself, and on the ground of *--ground*. In the look *studio*, or if all "
+               "lights are area lights, the strongest area light does, as if all of its light came "
+               "from its centre."},
     {DRAW_FLAG("edges", "LIST", "draw edges", render_flag_edges, shading.edges),
      .value_type = CLI_TYPE_WORDS, .common = 1, .optional = 1, .words = edge_words, .off = "none",
      .aliases = "outline,outlines,feature-edges",
@@ -469,10 +461,10 @@ static const cli_flag flags[] = {
     {DRAW_FLAG("outline-contrast", "N", "least contrast to the background, 0 to 255", cli_flag_real,
                shading.outline_contrast),
      .svg = CLI_SVG_REFUSED, CLI_RANGE(0, 255), .default_label = "36 in studio",
-     .manual = "Draws a hairline along the object's outline where it differs from the background "
-               "by less than *N* of 255, so white objects on a white background stay visible. "
-               "Other pixels keep their values; 0 draws none. Not drawn on transparent "
-               "backgrounds."},
+     .manual =
+         "Draws a hairline along the object's outline where it differs from the background by less "
+         "than *N* of 255, so white objects on a white background stay visible. Other pixels keep "
+         "their values; 0 draws none. Not drawn on transparent backgrounds."},
     {.group = "Input and report",
      .topic = "report",
      CLI_INPUT_FORMAT_FLAG(render_settings, input.load)},
@@ -508,23 +500,20 @@ static const cli_flag flags[] = {
      .manual = "Omits the bar of *--color-by* with its numbers, and the room for it."},
     {LOAD_FLAG("normals", "NAME", "source", cli_flag_word, input.normals), .words = normals_words,
      .default_text = "auto",
-     .manual =
-         "Source of the normals. *file* uses those of the input and generates missing ones; "
-         "*own* generates all of them. *auto*, the default, is *own* if *--crease-angle* is "
-         "given; otherwise it is *file*, except that the normals of an OBJ, PLY or OFF file, or of "
-         "a "
-         "glTF file without normal textures, are replaced, with a warning, if they smooth the "
-         "sharp edges of flat faces on more than 10 % of the area."},
+     .manual = "Source of the normals. *file* uses those of the input and generates missing ones; "
+               "*own* generates all of them. *auto*, the default, is *own* if *--crease-angle* is "
+               "given; otherwise it is *file*, except that the normals of an OBJ, PLY or OFF file, "
+               "or of a glTF file without normal textures, are replaced, with a warning, if they "
+               "smooth the sharp edges of flat faces on more than 10 % of the area."},
     {LOAD_FLAG("crease-angle", "DEG", "smooth edges below this angle", cli_flag_real, input.crease),
      CLI_RANGE(0, 180), .default_label = "auto",
      .manual =
-         "Generates normals: edges whose faces differ by less than this angle are smooth; 0 "
-         "shades every face flat. Normals of the input are used only with *--normals=file*; "
-         "then the angle applies to missing ones. By default each edge depends on its "
-         "surroundings: it is smooth up to 20 degrees, up to 60 between faces that bend at "
-         "all their edges, and up to 40 as a step of a curve. Chamfers and pockets stay sharp, "
-         "and fillets do not bend planes. In scans and sculptures steeper edges are smooth "
-         "too where most edges bend."},
+         "Generates normals: edges whose faces differ by less than this angle are smooth; 0 shades "
+         "every face flat. Normals of the input are used only with *--normals=file*; then the "
+         "angle applies to missing ones. By default each edge depends on its surroundings: it is "
+         "smooth up to 20 degrees, up to 60 between faces that bend at all their edges, and up to "
+         "40 as a step of a curve. Chamfers and pockets stay sharp, and fillets do not bend "
+         "planes. In scans and sculptures steeper edges are smooth too where most edges bend."},
     {CLI_TESSELLATION_FLAG(render_settings, input.load)},
     {CLI_ANIMATION_TIME_FLAG(render_settings, input.load)},
     {CLI_ANIMATION_FLAG(render_settings, input.load)},
@@ -552,12 +541,11 @@ static const cli_flag flags[] = {
     {CLI_FLAG("max-memory", "N", "memory limit, such as 500M or 2G", cli_flag_bytes,
               job.max_memory),
      .phases = CLI_PHASE_PROCESS, .not_for = HEIR_ANY, CLI_RANGE(1, 9e18), .default_label = "all",
-     .manual =
-         "Limit on the address space of the process in bytes, including reserved but unused "
-         "memory such as the stacks of threads. An STL, PLY, OBJ or OFF file that would "
-         "need more becomes a preview: one in so many triangles (STL) or vertices (the "
-         "others), as points, with a warning. Any other run that needs more ends with exit code 6. "
-         "_N_ can end in *K*, *M* or *G*."},
+     .manual = "Limit on the address space of the process in bytes, including reserved but unused "
+               "memory such as the stacks of threads. An STL, PLY, OBJ or OFF file that would need "
+               "more becomes a preview: one in so many triangles (STL) or vertices (the others), "
+               "as points, with a warning. Any other run that needs more ends with exit code 6. "
+               "_N_ can end in *K*, *M* or *G*."},
     {CLI_SWITCH("sandbox", "read and draw in a process that can't open files", job.sandbox),
      .phases = CLI_PHASE_PROCESS, .not_for = HEIR_ANY,
      .manual = "Reads, draws and encodes in a separate process that can not open files or sockets "
@@ -633,23 +621,19 @@ const cli_command render_command = {
     .operand_help = CLI_INPUT_HELP,
     .manual =
         "Draws _INPUT_: a file with an extension of" CLI_INPUT_EXTENSIONS
-        ", optionally compressed with gzip, *-* for "
-        "standard input, or a built-in object: *:teapot*, *:sphere*, *:torus* or *:knot*.\nWithout "
-        "flags the picture shows the whole object in a three-quarter view, lit by lights that "
-        "follow the camera. The value of a flag follows after *=* or as the next argument. Flags "
-        "can't be abbreviated. If a flag is repeated, the last one counts, except for *--light*, "
-        "*--clip* and *--plane*. *--* ends the flags. A flag without an effect is a warning, such "
-        "as "
-        "*--frames* without *--turntable* or *--animation* for an STL file, and an error with "
-        "*--strict*. Limits, *--overwrite*, *--no-colors*, *--no-textures* and *--no-libraries* "
-        "never "
-        "are. Flags that contradict each other, and flags for shading in an SVG or PDF, are "
-        "errors.\nSeveral "
-        "inputs are "
-        "drawn as *burnish batch* does: one picture and one process per input, sandboxed unless "
-        "*--no-sandbox* is given, *--threads* at a time. Inputs that fail are listed, and the exit "
-        "code is 11. *--json* is then the report of a batch. All pictures are drawn, also "
-        "unchanged ones, which *burnish batch* skips.",
+        ", optionally compressed with gzip, *-* for standard input, or a built-in object: "
+        "*:teapot*, *:sphere*, *:torus* or *:knot*.\nWithout flags the picture shows the whole "
+        "object in a three-quarter view, lit by lights that follow the camera. The value of a flag "
+        "follows after *=* or as the next argument. Flags can't be abbreviated. If a flag is "
+        "repeated, the last one counts, except for *--light*, *--clip* and *--plane*. *--* ends "
+        "the flags. A flag without an effect is a warning, such as *--frames* without "
+        "*--turntable* or *--animation* for an STL file, and an error with *--strict*. Limits, "
+        "*--overwrite*, *--no-colors*, *--no-textures* and *--no-libraries* never are. Flags that "
+        "contradict each other, and flags for shading in an SVG or PDF, are errors.\nSeveral "
+        "inputs are drawn as *burnish batch* does: one picture and one process per input, "
+        "sandboxed unless *--no-sandbox* is given, *--threads* at a time. Inputs that fail are "
+        "listed, and the exit code is 11. *--json* is then the report of a batch. All pictures are "
+        "drawn, also unchanged ones, which *burnish batch* skips.",
     .operands_max = SIZE_MAX,
     .flags = flags,
     .flag_count = sizeof flags / sizeof *flags,

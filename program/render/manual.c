@@ -17,11 +17,10 @@ static void each_material(cli_take_term *take) {
 }
 
 static const cli_term look_terms[] = {
-    {"*studio*",
-     "a product studio: a window, two strips of light, a panel behind and a table, which "
-     "metals and glossy surfaces reflect; a light grey background and ambient "
-     "occlusion. For web pages and thumbnails. Standard views along an axis also have "
-     "thin, soft *--edges*, because steps in depth are hard to see there."},
+    {"*studio*", "a product studio: a window, two strips of light, a panel behind and a table, "
+                 "which metals and glossy surfaces reflect; a light grey background and ambient "
+                 "occlusion. For web pages and thumbnails. Standard views along an axis also have "
+                 "thin, soft *--edges*, because steps in depth are hard to see there."},
     {"*three-point*", "key, fill and rim light from single directions, whose highlights have the "
                       "shape of *--lobe*; otherwise as *studio*."},
     {"*plain*", "the lights of *three-point*, brighter, on white, without ambient occlusion: the "
@@ -31,30 +30,28 @@ static const cli_term look_terms[] = {
     {"*technical*",
      "edges on light, matt surfaces: *--look=plain --edges --light=directional:-0.45,0.75,0.85:0.5 "
      "--ambient=0.36 --specular=0*, on a light grey."},
-    {"*drawing*",
-     "only edges, as lines if the output ends in *.svg* or *.pdf*: *--look=plain --edges "
-     "--color=white --specular=0 --light=none --ambient=1*."},
+    {"*drawing*", "only edges, as lines if the output ends in *.svg* or *.pdf*: *--look=plain "
+                  "--edges --color=white --specular=0 --light=none --ambient=1*."},
     {"*lobes*",
      "highlights on dark surfaces, which *--exponent*, *--lobe* and *--equation* change: "
-     "*--look=plain --light=directional:-0.55,0.75,0.85 --specular=0.9*, on a dark "
-     "grey."},
+     "*--look=plain --light=directional:-0.55,0.75,0.85 --specular=0.9*, on a dark grey."},
     {NULL, NULL},
 };
 
 static const cli_term light_terms[] = {
-    {"*directional*", "from the direction _X_,_Y_,_Z_ as the camera sees it: x to the right, y "
-                      "up, z toward the viewer."},
-    {"*point*", "at that position as the camera sees it; the unit is the distance from the "
-                "camera to the focal point."},
+    {"*directional*", "from the direction _X_,_Y_,_Z_ as the camera sees it: x to the right, y up, "
+                      "z toward the viewer."},
+    {"*point*", "at that position as the camera sees it; the unit is the distance from the camera "
+                "to the focal point."},
     {"*rect*, *disc*",
      "a rectangular or elliptical area light, for which _WIDTH_,_HEIGHT_ follow the position: "
      "*rect:-1,1,0:0.8,0.5*. Its intensity is its radiance: a light that filled half of the sky "
      "with 1 would light a white surface that faces it to 1. Options after the size: *distant*, "
      "seen in the same directions from everywhere, with the position in the directions of "
-     "*directional*; *two-sided*; *target=*_X_,_Y_,_Z_, which it faces (otherwise the focal "
-     "point, or 0,0,0 for *world-*); *upright=*_X_,_Y_,_Z_, along which its height is (otherwise "
-     "0,1,0). Parts below a surface's horizon do not light it; objects do "
-     "not block its light, except by ambient occlusion."},
+     "*directional*; *two-sided*; *target=*_X_,_Y_,_Z_, which it faces (otherwise the focal point, "
+     "or 0,0,0 for *world-*); *upright=*_X_,_Y_,_Z_, along which its height is (otherwise 0,1,0). "
+     "Parts below a surface's horizon do not light it; objects do not block its light, except by "
+     "ambient occlusion."},
     {"*world-directional*, *world-point*, *world-rect*, *world-disc*",
      "the same in the scene's coordinates."},
     {"*file*",
@@ -105,8 +102,8 @@ static const cli_term json_terms[] = {
     {"*triangles, vertices, materials, textures, exponents*",
      "of the drawn mesh. A position with two normals counts as two vertices here, and as one in "
      "the command info"},
-    {"*color_by, color_range*", "what *--color-by* names, and the values of the first and the last "
-                                "colour; null without it"},
+    {"*color_by, color_range*",
+     "what *--color-by* names, and the values of the first and the last colour; null without it"},
     {"*thinning*", "1, or of how many vertices or triangles one is drawn for *--max-memory*"},
     {"*points, lines*", "of an input without faces, which are drawn as discs and rods"},
     {"*bounding_box, unit*",
@@ -115,12 +112,10 @@ static const cli_term json_terms[] = {
     {"*origin*", "subtracted from coordinates, in double precision, before they are rounded to "
                  "single precision: 0, 0, 0, or a position near the middle of an input that is far "
                  "away from it. Flags and output always use the coordinates of the input"},
-    {"*up, up_source, view*",
-     "the up axis; its source: flag, format, or auto if it is not the format's; the standard view, "
-     "if any"},
-    {"*inside_out*",
-     "true if a closed surface is inside out: its triangles are clockwise seen from "
-     "outside, which pictures do not show; null if the surface is open"},
+    {"*up, up_source, view*", "the up axis; its source: flag, format, or auto if it is not the "
+                              "format's; the standard view, if any"},
+    {"*inside_out*", "true if a closed surface is inside out: its triangles are clockwise seen "
+                     "from outside, which pictures do not show; null if the surface is open"},
     {"*triangles_drawn*", "triangles that are visible in at least one sample"},
     {"*hidden*", "share of the object's area in the other triangles"},
     {"*covered_pixels, pixel_bounds*",
@@ -137,14 +132,14 @@ static const cli_term json_terms[] = {
     {"*contrast*",
      "ratio of the mean luminances, each plus 0.05, of those pixels and of the background, the "
      "larger divided by the smaller, from 1 to 21 (as in WCAG 2); null without a background"},
-    {"*camera*", "*position*, *focal_point*, *view_up*, *view_angle*, *orthographic_height* "
-                 "(0: perspective)"},
+    {"*camera*",
+     "*position*, *focal_point*, *view_up*, *view_angle*, *orthographic_height* (0: perspective)"},
     {"*pixels_per_unit*", "scale of a parallel projection; null in perspective"},
     {"*lobe, equation, viewer, look, occlusion, ground, shadow, lights, area_lights, samples, "
      "threads, isa*",
      "as used"},
-    {"*seconds*", "*start* (processor time before loading), *load* (of which *read* and "
-                  "*build*), *transform*, *draw*, *encode*, *write*, *total* (from *load* on)"},
+    {"*seconds*", "*start* (processor time before loading), *load* (of which *read* and *build*), "
+                  "*transform*, *draw*, *encode*, *write*, *total* (from *load* on)"},
     {"*hash, hash_algorithm*",
      "XXH64 of the pixel bytes, 16 hexadecimal digits: the same on every machine"},
     {"*blank*", "true if the picture, or a cell, shows nothing or has only one colour"},

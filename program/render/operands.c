@@ -64,14 +64,14 @@ static burnish_status take_output_operand(render_settings *settings, cli_call *c
               is_place = ends_in_slash(last) || is_folder(last);
     if (images > 0 && (images > 1 || image != last || is_many)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "render: \"%.200s\" is an image, not a mesh; for several pictures, name "
-                        "a folder with -d",
+                        "render: \"%.200s\" is an image, not a mesh; for several pictures, name a "
+                        "folder with -d",
                         image);
     }
     if (is_standard && is_many) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "render: standard output takes one picture; for several, name a folder "
-                        "with -d");
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "render: standard output takes one picture; for several, name a folder with -d");
     }
     if (!is_place && !is_standard && images == 0) {
         return BURNISH_STATUS_OK;

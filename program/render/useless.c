@@ -62,8 +62,8 @@ static burnish_status check_svg(const render_settings *settings, burnish_error *
         if (flag->svg == CLI_SVG_REFUSED && is_given(settings, flag->name) &&
             (has_occlusion || strcmp(flag->name, "occlusion") != 0)) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: it does not affect the lines and areas of %s; omit the flag, "
-                            "or use the extension .png",
+                            "--%s: it does not affect the lines and areas of %s; omit the flag, or "
+                            "use the extension .png",
                             flag->name,
                             settings->output.format == PICTURE_PDF ? "a PDF" : "an SVG");
         }

@@ -34,8 +34,8 @@ static const cli_flag flags[] = {
     {CLI_FLAG("max-request-bytes", "N", "refuse larger requests", cli_flag_bytes,
               max_request_bytes),
      CLI_RANGE(1, 4294967295.0), .default_text = "256M", .common = 1,
-     .manual = "A larger request, including its files, is skipped; the reply has code 5. _N_ "
-               "may end in *K*, *M* or *G*."},
+     .manual = "A larger request, including its files, is skipped; the reply has code 5. _N_ may "
+               "end in *K*, *M* or *G*."},
     {CLI_FLAG("max-seconds", "N", "time limit per request", cli_flag_real, render.job.max_seconds),
      CLI_RANGE(0, 1e6), .default_text = "60", .common = 1,
      .manual = "The reply to a request that takes longer in wall-clock time, counted from its last "
@@ -89,8 +89,8 @@ static const cli_section sections[] = {
              "--json*. Otherwise *code* is the exit code of *burnish render*, and *error* its "
              "message. Keys of a request, all optional:",
      .terms = request_terms,
-     .closing = "An invalid frame, such as text, ends the server with exit code 4. "
-                "docs/serve.md has clients, and an example behind a web server."},
+     .closing = "An invalid frame, such as text, ends the server with exit code 4. docs/serve.md "
+                "has clients, and an example behind a web server."},
     {.heading = NULL},
 };
 

@@ -196,10 +196,10 @@ static void describe_end(const server *v, slot *s, int state) {
     burnish_error line = {BURNISH_STATUS_MEMORY, "the program that draws ended before its reply"};
     int code = sandbox_describe_end(state, &line);
     if (s->is_late) {
-        code = burnish_status_exit_code(cli_fail(&line, BURNISH_STATUS_LIMIT,
-                                                 "not done after %g seconds (--max-seconds): raise "
-                                                 "the limit or simplify the mesh",
-                                                 v->settings->render.job.max_seconds.value));
+        code = burnish_status_exit_code(cli_fail(
+            &line, BURNISH_STATUS_LIMIT,
+            "not done after %g seconds (--max-seconds): raise the limit or simplify the mesh",
+            v->settings->render.job.max_seconds.value));
     }
     if (code != 0 || !WIFEXITED(state)) {
         reply_failure(s, code, line.text);

@@ -289,12 +289,13 @@ static burnish_status get_ready(const serve_settings *settings, burnish_error *e
     if (status == BURNISH_STATUS_OK && !settings->no_sandbox) {
         const char *wall;
         const int reason = sandbox_lock(SERVE_DESCRIPTORS, 0, &wall);
-        status = reason == 0
-                     ? status
-                     : cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "serve-stdio: this system can't create a sandbox (%s: %s); use "
-                                "--no-sandbox",
-                                wall, strerror(reason));
+        status =
+            reason == 0
+                ? status
+                : cli_fail(
+                      error, BURNISH_STATUS_ARGUMENT,
+                      "serve-stdio: this system can't create a sandbox (%s: %s); use --no-sandbox",
+                      wall, strerror(reason));
     }
     return status;
 }

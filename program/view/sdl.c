@@ -11,10 +11,10 @@
 burnish_status view_load_sdl(view_sdl_calls *calls, burnish_error *error) {
     void *const handle = dlopen(SDL_LIBRARY, RTLD_NOW | RTLD_LOCAL);
     if (!handle) {
-        return cli_fail(error, BURNISH_STATUS_READ,
-                        "view: %s, which windows need, can't be loaded; install it (Debian's "
-                        "libsdl2-2.0-0)",
-                        SDL_LIBRARY);
+        return cli_fail(
+            error, BURNISH_STATUS_READ,
+            "view: %s, which windows need, can't be loaded; install it (Debian's libsdl2-2.0-0)",
+            SDL_LIBRARY);
     }
     /* C can not convert a pointer to an object into one to a function; POSIX guarantees that their
      * bytes are the same. */

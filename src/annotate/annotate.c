@@ -61,8 +61,8 @@ static burnish_status check_annotate(const burnish_mesh *mesh,
     const size_t stride = annotations->depth_stride;
     if (annotations->depth && (stride % 4 != 0 || stride / 4 < (size_t)width)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "annotations: a depth stride of %zu bytes for %d pixels; at least "
-                            "four each, and a multiple of 4",
+                            "annotations: a depth stride of %zu bytes for %d pixels; at least four "
+                            "each, and a multiple of 4",
                             stride, width);
     }
     return BURNISH_STATUS_OK;

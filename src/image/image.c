@@ -69,10 +69,10 @@ burnish_status burnish_pixels_check(const burnish_pixels *pixels, const char *wh
     }
     if ((unsigned)pixels->format >= BURNISH_PIXELS_COUNT ||
         pixels->format == BURNISH_PIXELS_RGBA_FLOAT) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "%s: %d is not a pixel format; expected RGB8, RGBA8, BGRA8, GRAY16 or "
-                            "RGB16",
-                            what, (int)pixels->format);
+        return burnish_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "%s: %d is not a pixel format; expected RGB8, RGBA8, BGRA8, GRAY16 or RGB16", what,
+            (int)pixels->format);
     }
     if (pixels->stride < burnish_pixels_row(pixels)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,

@@ -126,11 +126,11 @@ static burnish_status check_textures(const burnish_mesh_description *from, burni
         const burnish_texture *texture = &from->textures[i];
         if (texture->width < 1 || texture->width > BURNISH_TEXTURE_SIZE_MAX ||
             texture->height < 1 || texture->height > BURNISH_TEXTURE_SIZE_MAX || !texture->pixels) {
-            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "textures[%zu]: %d x %d texels at %s; expected sides in [1, %d], "
-                                "and pixels",
-                                i, texture->width, texture->height,
-                                texture->pixels ? "an array" : "NULL", BURNISH_TEXTURE_SIZE_MAX);
+            return burnish_fail(
+                error, BURNISH_STATUS_ARGUMENT,
+                "textures[%zu]: %d x %d texels at %s; expected sides in [1, %d], and pixels", i,
+                texture->width, texture->height, texture->pixels ? "an array" : "NULL",
+                BURNISH_TEXTURE_SIZE_MAX);
         }
     }
     return BURNISH_STATUS_OK;
@@ -146,9 +146,9 @@ static burnish_status check_description(creation *c) {
     const float *up = from->up_axis;
     for (int i = 0; i < 3; ++i) {
         if (!(up[i] >= -FLT_MAX && up[i] <= FLT_MAX) || (up[0] == 0 && up[1] == 0 && up[2] == 0)) {
-            return burnish_fail(c->error, BURNISH_STATUS_ARGUMENT,
-                                "up_axis: needs three finite numbers, not all 0; use for example "
-                                "0, 1, 0");
+            return burnish_fail(
+                c->error, BURNISH_STATUS_ARGUMENT,
+                "up_axis: needs three finite numbers, not all 0; use for example 0, 1, 0");
         }
     }
     status = check_counts(c);
@@ -250,11 +250,11 @@ static burnish_status copy_materials(creation *c) {
         const size_t materials = from->material_count > 0 ? from->material_count : 1;
         for (size_t i = 0; i < c->triangle_count; ++i) {
             if (data->triangle_materials[i] >= materials) {
-                return burnish_fail(c->error, BURNISH_STATUS_ARGUMENT,
-                                    "triangle_materials[%zu]: %d is out of range, there %s %zu "
-                                    "material%s",
-                                    i, data->triangle_materials[i], materials == 1 ? "is" : "are",
-                                    materials, materials == 1 ? "" : "s");
+                return burnish_fail(
+                    c->error, BURNISH_STATUS_ARGUMENT,
+                    "triangle_materials[%zu]: %d is out of range, there %s %zu material%s", i,
+                    data->triangle_materials[i], materials == 1 ? "is" : "are", materials,
+                    materials == 1 ? "" : "s");
             }
         }
     }
@@ -269,10 +269,10 @@ static burnish_status copy_textures(creation *c, const burnish_load_options *opt
         const size_t count = (size_t)from->width * (size_t)from->height;
         texels += count;
         if (texels > options->max_texture_pixels) {
-            return burnish_fail(c->error, BURNISH_STATUS_LIMIT,
-                                "textures: more than %llu texels; raise max_texture_pixels or "
-                                "make them smaller",
-                                (unsigned long long)options->max_texture_pixels);
+            return burnish_fail(
+                c->error, BURNISH_STATUS_LIMIT,
+                "textures: more than %llu texels; raise max_texture_pixels or make them smaller",
+                (unsigned long long)options->max_texture_pixels);
         }
         uint8_t *pixels = burnish_allocate(&c->data.memory, count, 4, "textures");
         if (pixels) {

@@ -82,9 +82,9 @@ static burnish_status check_room(const burnish_framing *options, burnish_error *
     }
     return enough
                ? BURNISH_STATUS_OK
-               : burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                              "options: margin and inset leave no room for the object; make them "
-                              "smaller");
+               : burnish_fail(
+                     error, BURNISH_STATUS_ARGUMENT,
+                     "options: margin and inset leave no room for the object; make them smaller");
 }
 
 static burnish_status check_framing(const burnish_framing *options, burnish_error *error) {

@@ -36,10 +36,10 @@ static burnish_status fail_errno(opened_file *file, const char *what, int code) 
 }
 
 static burnish_status fail_size(burnish_error *error, const char *name, uint64_t max_bytes) {
-    return burnish_fail(error, BURNISH_STATUS_LIMIT,
-                        "%s: larger than the limit of %llu bytes; raise the limit or simplify the "
-                        "mesh",
-                        burnish_show_name(name).text, (unsigned long long)max_bytes);
+    return burnish_fail(
+        error, BURNISH_STATUS_LIMIT,
+        "%s: larger than the limit of %llu bytes; raise the limit or simplify the mesh",
+        burnish_show_name(name).text, (unsigned long long)max_bytes);
 }
 
 /* Appends up to `size` bytes; fewer at the end of the file. Returns errno, 0 for success. */

@@ -36,8 +36,8 @@ burnish_status render_annotate(render_result *result, render_cell *cell, const f
     if (status == BURNISH_STATUS_OK && (annotations.kinds & BURNISH_ANNOTATION_SCALE) &&
         !(cell->camera.orthographic_height > 0)) {
         render_warn(&result->warnings, 1,
-                    "%.300s: --annotate: scale: a perspective has no scale, so %s has no "
-                    "bar; use --camera-orthographic, or omit it",
+                    "%.300s: --annotate: scale: a perspective has no scale, so %s has no bar; use "
+                    "--camera-orthographic, or omit it",
                     settings->input.name, result->cell_count > 1 ? cell->label : "the picture");
     }
     if (status == BURNISH_STATUS_OK && left_out > 0) {

@@ -56,8 +56,8 @@ static void warn_about_cell(render_result *result, const render_cell *cell) {
         char lobe[32];
         burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
         render_warn(&result->warnings, 1,
-                    "%.300s: %zu of %zu materials have an exponent too low for %s; drawn "
-                    "with a lower order",
+                    "%.300s: %zu of %zu materials have an exponent too low for %s; drawn with a "
+                    "lower order",
                     input, cell->report.lobe_fallbacks,
                     burnish_mesh_get_material_count(result->mesh), lobe);
     }
@@ -75,8 +75,8 @@ static void warn_about_cell(render_result *result, const render_cell *cell) {
     } else if (cell->has_one_color) {
         ++result->blank_cells;
         render_warn(&result->warnings, is_printed,
-                    "%.300s: %s has only one colour: the object is invisible; check "
-                    "colours, lights and background",
+                    "%.300s: %s has only one colour: the object is invisible; check colours, "
+                    "lights and background",
                     input, picture);
     }
 }

@@ -105,9 +105,9 @@ burnish_status render_open_font(render_result *result, burnish_error *error) {
     }
     if (!file && (!font_is_available || result->settings->picture.opens_no_font)) {
         render_warn(&result->warnings, 1, "--labels: %s; letters beyond ASCII are drawn as ?",
-                    font_is_available ? "no font may be opened here"
-                                      : "this program was built without HarfBuzz, FriBidi "
-                                        "and fontconfig");
+                    font_is_available
+                        ? "no font may be opened here"
+                        : "this program was built without HarfBuzz, FriBidi and fontconfig");
         return BURNISH_STATUS_OK;
     }
     const burnish_status status = font_open(file, &result->font, error);

@@ -24,8 +24,8 @@ burnish_status render_color(const render_settings *settings, burnish_mesh *mesh,
     if (render_colors_by_property(wanted) && format != BURNISH_FORMAT_PLY &&
         format != BURNISH_FORMAT_GLTF) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--color-by: \"%.60s\" is neither height nor normal, and only PLY and "
-                        "glTF files have other properties",
+                        "--color-by: \"%.60s\" is neither height nor normal, and only PLY and glTF "
+                        "files have other properties",
                         wanted->by);
     }
     const burnish_annotate_options stance = render_make_annotations(mesh, settings);

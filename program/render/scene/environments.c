@@ -22,10 +22,9 @@ burnish_status render_read_environment(const render_settings *settings,
         return BURNISH_STATUS_OK;
     }
     if (settings->picture.opens_no_font) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--environment: no file may be opened here, such as \"%.200s\"; use sky or "
-                        "room",
-                        name);
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--environment: no file may be opened here, such as \"%.200s\"; use sky or room", name);
     }
     return cli_read_bytes(name, settings->input.load.max_input_bytes, is_image, &environment->bytes,
                           &environment->size, error);

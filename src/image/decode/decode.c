@@ -77,10 +77,10 @@ burnish_status burnish_decode(const burnish_encoded *from, burnish_memory *memor
     decode_function *decode = find_decoder(from->bytes, from->size);
     *picture = (burnish_image){0};
     if (!decode) {
-        return burnish_fail(memory->error, BURNISH_STATUS_FORMAT,
-                            "%.200s: neither PNG nor JPEG nor WebP nor BMP nor TGA; convert it to "
-                            "one of them",
-                            from->name);
+        return burnish_fail(
+            memory->error, BURNISH_STATUS_FORMAT,
+            "%.200s: neither PNG nor JPEG nor WebP nor BMP nor TGA; convert it to one of them",
+            from->name);
     }
     burnish_outside_begin();
     burnish_status status = decode(from, memory, picture);

@@ -6,10 +6,10 @@
 static burnish_status fail_limit(burnish_memory *memory, const burnish_gzip_file *file) {
     const burnish_shown_name shown = burnish_show_name(file->name);
     return file->max_bytes > file->budget
-               ? burnish_fail(memory->error, BURNISH_STATUS_LIMIT,
-                              "%s: its %zu bytes unpack to more than %llu; unpack it first if that "
-                              "is right",
-                              shown.text, file->size, (unsigned long long)file->budget)
+               ? burnish_fail(
+                     memory->error, BURNISH_STATUS_LIMIT,
+                     "%s: its %zu bytes unpack to more than %llu; unpack it first if that is right",
+                     shown.text, file->size, (unsigned long long)file->budget)
                : burnish_fail(memory->error, BURNISH_STATUS_LIMIT,
                               "%s: unpacks to more than the limit of %llu bytes; raise the limit "
                               "or simplify the mesh",

@@ -102,10 +102,10 @@ static burnish_status jpeg_decode(j_decompress_ptr codec, const burnish_encoded 
     const uint64_t pixels = (uint64_t)codec->image_width * codec->image_height;
     reader->most_scans = most_scans(pixels);
     if (pixels / LARGEST_RATIO > from->size) {
-        return burnish_fail(memory->error, BURNISH_STATUS_FORMAT,
-                            "%.200s: %u x %u pixels can't be in a JPEG of %zu bytes; it is cut off "
-                            "or damaged",
-                            from->name, codec->image_width, codec->image_height, from->size);
+        return burnish_fail(
+            memory->error, BURNISH_STATUS_FORMAT,
+            "%.200s: %u x %u pixels can't be in a JPEG of %zu bytes; it is cut off or damaged",
+            from->name, codec->image_width, codec->image_height, from->size);
     }
     const int is_cmyk = codec->jpeg_color_space == JCS_CMYK || codec->jpeg_color_space == JCS_YCCK;
     codec->out_color_space = is_cmyk               ? JCS_CMYK

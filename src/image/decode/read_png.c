@@ -139,11 +139,10 @@ static burnish_status make_image(const burnish_encoded *from, decoder *d, burnis
     const uint64_t width = png_get_image_width(d->png, d->info);
     const uint64_t height = png_get_image_height(d->png, d->info);
     if (png_get_rowbytes(d->png, d->info) * height / LARGEST_RATIO > d->size) {
-        return burnish_fail(memory->error, BURNISH_STATUS_FORMAT,
-                            "%.200s: %llu x %llu pixels can't be in a PNG of %zu bytes; it is cut "
-                            "off or damaged",
-                            from->name, (unsigned long long)width, (unsigned long long)height,
-                            d->size);
+        return burnish_fail(
+            memory->error, BURNISH_STATUS_FORMAT,
+            "%.200s: %llu x %llu pixels can't be in a PNG of %zu bytes; it is cut off or damaged",
+            from->name, (unsigned long long)width, (unsigned long long)height, d->size);
     }
     return burnish_decode_reserve(from, width, height, ask_for_codes(d, from->channels), memory,
                                   image);

@@ -53,8 +53,8 @@ static burnish_status check_cells(const burnish_sheet_cell *cells, size_t count,
         if (image->width != first->width || image->height != first->height ||
             image->channels != first->channels) {
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "sheet: picture %zu is %d x %d with %d channels, the first is "
-                                "%d x %d with %d; make them equal",
+                                "sheet: picture %zu is %d x %d with %d channels, the first is %d x "
+                                "%d with %d; make them equal",
                                 i + 1, image->width, image->height, image->channels, first->width,
                                 first->height, first->channels);
         }

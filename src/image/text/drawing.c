@@ -275,10 +275,10 @@ burnish_status burnish_drawing_create(const burnish_context *context, int width,
     burnish_memory memory = burnish_memory_of(context, error);
     if (!drawing || width < 1 || height < 1 || width > BURNISH_IMAGE_MAX_SIZE ||
         height > BURNISH_IMAGE_MAX_SIZE) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "drawing: a size of %d x %d; 1 to %d a side, and where to put it, are "
-                            "expected",
-                            width, height, BURNISH_IMAGE_MAX_SIZE);
+        return burnish_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "drawing: a size of %d x %d; 1 to %d a side, and where to put it, are expected", width,
+            height, BURNISH_IMAGE_MAX_SIZE);
     }
     *drawing = burnish_allocate_zeroed(&memory, 1, sizeof **drawing, "a drawing");
     if (*drawing) {

@@ -346,11 +346,10 @@ static burnish_status keep_triangles(burnish_builder *b, triangles_context *cont
     burnish_release(b->memory->context, context->kept);
     b->triangle_count = context->next;
     if (status == BURNISH_STATUS_OK && context->next == 0) {
-        return burnish_fail(
-            b->memory->error, BURNISH_STATUS_FORMAT,
-            "%s: no triangle has any area; %zu triangle%s read, and a mesh needs at "
-            "least one whose corners are not on a line",
-            burnish_show_name(b->name).text, count, count == 1 ? " was" : "s were");
+        return burnish_fail(b->memory->error, BURNISH_STATUS_FORMAT,
+                            "%s: no triangle has any area; %zu triangle%s read, and a mesh needs "
+                            "at least one whose corners are not on a line",
+                            burnish_show_name(b->name).text, count, count == 1 ? " was" : "s were");
     }
     if (status == BURNISH_STATUS_OK && context->next < count) {
         burnish_mesh_data_warn(b->data, "%s: %zu of %zu triangles have no area and were left out",

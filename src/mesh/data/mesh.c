@@ -71,10 +71,10 @@ static burnish_status check_options(const burnish_load_options *options, burnish
     }
     if (options->animation_time != BURNISH_AT_REST &&
         !(options->animation_time >= 0 && options->animation_time <= 1e9)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "options: animation_time %g is not in [0, 1e9] seconds or "
-                            "BURNISH_AT_REST",
-                            options->animation_time);
+        return burnish_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "options: animation_time %g is not in [0, 1e9] seconds or BURNISH_AT_REST",
+            options->animation_time);
     }
     for (int k = 0; k < 3 && options->origin; ++k) {
         if (!(options->origin[k] >= -1e30 && options->origin[k] <= 1e30)) {

@@ -68,11 +68,11 @@ static burnish_status check_size(const bms_state *s) {
     const uint64_t least = BURNISH_BMS_HEAD_SIZE + padded_size(s->text_size) +
                            (uint64_t)s->textures * BURNISH_BMS_TEXTURE_SIZE + size_of_rest(s);
     if (stated != s->reader->input->size || least > stated) {
-        return burnish_reader_fail(
-            s->reader, BURNISH_STATUS_FORMAT, bytes + BURNISH_BMS_AT_SIZE,
-            "the stream states %llu bytes and needs at least %llu for its counts, but has %zu; it "
-            "is truncated or damaged",
-            (unsigned long long)stated, (unsigned long long)least, s->reader->input->size);
+        return burnish_reader_fail(s->reader, BURNISH_STATUS_FORMAT, bytes + BURNISH_BMS_AT_SIZE,
+                                   "the stream states %llu bytes and needs at least %llu for its "
+                                   "counts, but has %zu; it is truncated or damaged",
+                                   (unsigned long long)stated, (unsigned long long)least,
+                                   s->reader->input->size);
     }
     return BURNISH_STATUS_OK;
 }

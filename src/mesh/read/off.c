@@ -102,8 +102,7 @@ static burnish_status read_head(off_state *off, burnish_lexer *lexer) {
         if (burnish_parse_integer(word, &counts[i]) != BURNISH_NUMBER_OK || counts[i] < 0) {
             return burnish_reader_fail(
                 off->reader, BURNISH_STATUS_FORMAT, word.bytes,
-                "\"%s\" is not a count; write OFF, then the counts of vertices, "
-                "faces and edges",
+                "\"%s\" is not a count; write OFF, then the counts of vertices, faces and edges",
                 burnish_token_quote(word).text);
         }
     }

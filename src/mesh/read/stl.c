@@ -318,8 +318,7 @@ static burnish_status stl_read(burnish_reader *reader) {
     } else if (is_text && input->size >= BURNISH_STL_HEADER_SIZE) {
         return burnish_reader_fail(
             reader, BURNISH_STATUS_FORMAT, input->bytes,
-            "text that does not begin with \"solid\" is not an STL file; export the "
-            "mesh again");
+            "text that does not begin with \"solid\" is not an STL file; export the mesh again");
     } else if (input->size < BURNISH_STL_HEADER_SIZE) {
         reader->is_binary = 1;
         return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, input->bytes + input->size,

@@ -94,12 +94,11 @@ static burnish_status check_facets(burnish_reader *reader, size_t count) {
     }
     return odd <= filled / 4
                ? BURNISH_STATUS_OK
-               : burnish_reader_fail(reader, BURNISH_STATUS_FORMAT,
-                                     reader->input->bytes + TITLE_SIZE,
-                                     "not STL: the count does not fit the file's size, and %zu of "
-                                     "the first %zu triangles have coordinates below 1e-30 or "
-                                     "above 1e30",
-                                     odd, looked);
+               : burnish_reader_fail(
+                     reader, BURNISH_STATUS_FORMAT, reader->input->bytes + TITLE_SIZE,
+                     "not STL: the count does not fit the file's size, and %zu of the first %zu "
+                     "triangles have coordinates below 1e-30 or above 1e30",
+                     odd, looked);
 }
 
 /* *count: what the header announces; receives how many facets there are. */

@@ -250,10 +250,10 @@ burnish_status burnish_render_options_check(const burnish_render_options *option
     if (options->first_row < 0 || options->row_count < 0 ||
         options->first_row > options->height - options->row_count ||
         (options->row_count == 0 && options->first_row > 0)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "rows: %d from %d on are not among the picture's %d; 0 from 0 on means "
-                            "all",
-                            options->row_count, options->first_row, options->height);
+        return burnish_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "rows: %d from %d on are not among the picture's %d; 0 from 0 on means all",
+            options->row_count, options->first_row, options->height);
     }
     if (options->samples != 1 && options->samples != 4 && options->samples != 8 &&
         options->samples != BURNISH_MAX_SAMPLES) {

@@ -28,10 +28,10 @@ static size_t pixel_size_of(burnish_pixel_format format) {
 static burnish_status check_plane(const void *plane, size_t stride, size_t row, size_t word,
                                   const char *name, burnish_error *error) {
     if (plane && (stride < row || stride % word != 0)) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "target: %s has a stride of %zu bytes; expected at least %zu, a "
-                            "multiple of %zu",
-                            name, stride, row, word);
+        return burnish_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "target: %s has a stride of %zu bytes; expected at least %zu, a multiple of %zu", name,
+            stride, row, word);
     }
     return BURNISH_STATUS_OK;
 }
@@ -42,10 +42,10 @@ static burnish_status check_pixels(const burnish_pixels *pixels,
         return BURNISH_STATUS_OK;
     }
     if ((unsigned)pixels->format > BURNISH_PIXELS_RGBA_FLOAT) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "target: %d is no pixel format; expected RGB8, RGBA8, BGRA8 or "
-                            "RGBA_FLOAT",
-                            (int)pixels->format);
+        return burnish_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "target: %d is no pixel format; expected RGB8, RGBA8, BGRA8 or RGBA_FLOAT",
+            (int)pixels->format);
     }
     const burnish_row_range rows = burnish_drawn_rows(options);
     if (pixels->width != options->width || pixels->height != rows.end - rows.first) {
@@ -54,9 +54,9 @@ static burnish_status check_pixels(const burnish_pixels *pixels,
                             pixels->width, pixels->height, options->width, rows.end - rows.first);
     }
     if (options->transparent && pixels->format == BURNISH_PIXELS_RGB8) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "target: RGB8 has no alpha; use RGBA8 or BGRA8 for a transparent "
-                            "background");
+        return burnish_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "target: RGB8 has no alpha; use RGBA8 or BGRA8 for a transparent background");
     }
     return check_plane(pixels->pixels, pixels->stride,
                        (size_t)pixels->width * pixel_size_of(pixels->format), 1, "pixels", error);

@@ -268,13 +268,12 @@ burnish_status burnish_check_points(burnish_reader *reader, size_t count, int ar
     const size_t vertices = are_lines ? 2 * SIDES : 1, triangles = are_lines ? 2 * SIDES : 1;
     const uint64_t limit = reader->input->options->max_triangles;
     if (count > limit / triangles || count > BURNISH_VALUE_LIMIT / vertices) {
-        return burnish_reader_fail(reader, BURNISH_STATUS_LIMIT, NULL,
-                                   are_lines
-                                       ? "%zu lines are too many: each is drawn as 16 triangles; "
-                                         "thin them out"
-                                       : "%zu points are too many: each counts as a triangle; "
-                                         "raise max-triangles, or thin them out",
-                                   count);
+        return burnish_reader_fail(
+            reader, BURNISH_STATUS_LIMIT, NULL,
+            are_lines ? "%zu lines are too many: each is drawn as 16 triangles; thin them out"
+                      : "%zu points are too many: each counts as a triangle; raise max-triangles, "
+                        "or thin them out",
+            count);
     }
     return burnish_budget_check(reader, (uint64_t)count * vertices, (uint64_t)count * triangles);
 }

@@ -106,10 +106,10 @@ static const uint8_t *locate_elements(burnish_gltf *gltf, uint32_t object, uint3
     /* (count - 1) stride + element_size <= size - offset, without overflow */
     if (offset > bytes.size || element_size > bytes.size - offset ||
         (bytes.size - offset - element_size) / *stride < count - 1) {
-        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, object,
-                          "%zu elements do not fit into bufferViews[%u] of %zu bytes; the file is "
-                          "damaged",
-                          count, view, bytes.size);
+        burnish_gltf_fail(
+            gltf, BURNISH_STATUS_FORMAT, object,
+            "%zu elements do not fit into bufferViews[%u] of %zu bytes; the file is damaged", count,
+            view, bytes.size);
         return NULL;
     }
     return bytes.bytes + offset;
@@ -198,12 +198,11 @@ static void read_kind(burnish_gltf *gltf, burnish_gltf_accessor *accessor) {
     }
     if (accessor->stride == 0) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
-                          "its type or componentType is not supported; expected SCALAR, "
-                          "VEC2, VEC3, VEC4 or MAT4, and 5120 to 5126");
+                          "its type or componentType is not supported; expected SCALAR, VEC2, "
+                          "VEC3, VEC4 or MAT4, and 5120 to 5126");
     } else if (accessor->count == 0) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
-                          "has no elements; count must be 1 or "
-                          "more");
+                          "has no elements; count must be 1 or more");
     }
 }
 
@@ -249,10 +248,9 @@ void burnish_gltf_give(burnish_gltf *gltf, uint32_t number, uint32_t user,
     /* indices have 32 bits, regardless of the file's component type */
     const int is_same = values->component == accessor->component || values->width == 1;
     if (values->width != accessor->width || !is_same || values->count < accessor->count) {
-        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, user,
-                          "unpacks to other values than accessors[%u] describes; the file is "
-                          "damaged",
-                          number);
+        burnish_gltf_fail(
+            gltf, BURNISH_STATUS_FORMAT, user,
+            "unpacks to other values than accessors[%u] describes; the file is damaged", number);
         return;
     }
     accessor->component = values->component;

@@ -84,9 +84,9 @@ static int decode_data(burnish_gltf *gltf, uint32_t uri, uint8_t *text, size_t s
     }
     const size_t written = decode_base64(comma + 1, size - head - 1, text);
     if (written == SIZE_MAX) {
-        return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, uri,
-                                 "its base64 data contains an invalid character; the file is "
-                                 "damaged");
+        return burnish_gltf_fail(
+            gltf, BURNISH_STATUS_FORMAT, uri,
+            "its base64 data contains an invalid character; the file is damaged");
     }
     buffer->bytes = (burnish_gltf_bytes){text, written};
     return 1;
@@ -99,10 +99,10 @@ static int load_file(burnish_gltf *gltf, uint32_t uri, const char *name, uint64_
     const void *bytes = NULL;
     size_t size = 0;
     if (!companions->load) {
-        return burnish_gltf_fail(gltf, BURNISH_STATUS_READ, uri,
-                                 "names the file %s, but the input has no folder; "
-                                 "give its path, or convert it to GLB",
-                                 burnish_show_name(name).text);
+        return burnish_gltf_fail(
+            gltf, BURNISH_STATUS_READ, uri,
+            "names the file %s, but the input has no folder; give its path, or convert it to GLB",
+            burnish_show_name(name).text);
     }
     const burnish_status status =
         companions->load(companions->user_data, name, max_bytes, &bytes, &size, &error);
@@ -262,8 +262,7 @@ static int decode_view(burnish_gltf *gltf, uint32_t view, uint32_t value,
     }
     if (mode < 0 || mode > 2 || filter > 5) {
         return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
-                                 "%s is unknown; export the file without "
-                                 "meshopt's compression",
+                                 "%s is unknown; export the file without meshopt's compression",
                                  filter > 5 ? "its filter" : "its mode");
     }
     const char *wrong = count == 0
@@ -287,10 +286,10 @@ static int decode_view(burnish_gltf *gltf, uint32_t view, uint32_t value,
     gltf->decoded[view] = out;
     if (!burnish_meshopt_decode((burnish_meshopt_mode)mode, packed.bytes, packed.size, count,
                                 stride, out)) {
-        return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
-                                 "its %zu bytes are no %zu elements compressed as %s; the file is "
-                                 "damaged",
-                                 packed.size, count, modes[mode + 1]);
+        return burnish_gltf_fail(
+            gltf, BURNISH_STATUS_FORMAT, value,
+            "its %zu bytes are no %zu elements compressed as %s; the file is damaged", packed.size,
+            count, modes[mode + 1]);
     }
     burnish_meshopt_unfilter(f, count, stride, out);
     bytes->bytes = out;

@@ -227,9 +227,9 @@ static void read_answer(draco *d) {
         is_good = read_stream(&c, &d->streams[i]);
     }
     if (!is_good) {
-        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, BURNISH_GLTF_NONE,
-                          "the decoder of Draco answers with something else, or with less than it "
-                          "states");
+        burnish_gltf_fail(
+            gltf, BURNISH_STATUS_FORMAT, BURNISH_GLTF_NONE,
+            "the decoder of Draco answers with something else, or with less than it states");
     }
 }
 
@@ -244,9 +244,9 @@ static void give_stream(burnish_gltf *gltf, uint32_t number, uint32_t value, con
         return;
     }
     if (count == 0) {
-        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
-                          "its stream of Draco can't be decoded, or holds nothing; the file is "
-                          "damaged");
+        burnish_gltf_fail(
+            gltf, BURNISH_STATUS_FORMAT, value,
+            "its stream of Draco can't be decoded, or holds nothing; the file is damaged");
         return;
     }
     burnish_gltf_give(gltf, number, value, &accessor);

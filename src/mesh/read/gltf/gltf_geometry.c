@@ -500,11 +500,10 @@ void burnish_gltf_read_geometry(burnish_gltf *gltf) {
     drawer.has[BURNISH_TANGENT] &= drawer.mesh->texture_count > 0;
     const char *scalar = options->scalar_property;
     if (gltf->status == BURNISH_STATUS_OK && scalar && !drawer.has[BURNISH_TEXCOORD]) {
-        gltf->status = burnish_reader_fail(
-            gltf->reader, BURNISH_STATUS_FORMAT, NULL,
-            "no vertex attribute \"%.60s\" of one number to colour by; glTF's names of such "
-            "attributes begin with _",
-            scalar);
+        gltf->status = burnish_reader_fail(gltf->reader, BURNISH_STATUS_FORMAT, NULL,
+                                           "no vertex attribute \"%.60s\" of one number to colour "
+                                           "by; glTF's names of such attributes begin with _",
+                                           scalar);
     }
     if (gltf->status == BURNISH_STATUS_OK && drawer.elements == 0) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, BURNISH_JSON_NONE,

@@ -75,10 +75,9 @@ static void find_parents(burnish_gltf *gltf) {
                 return;
             }
             if (gltf->nodes[number].parent != BURNISH_GLTF_NONE || number == i) {
-                burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, child,
-                                  "nodes[%u] has two parents, or is its own; nodes must form a "
-                                  "tree",
-                                  number);
+                burnish_gltf_fail(
+                    gltf, BURNISH_STATUS_FORMAT, child,
+                    "nodes[%u] has two parents, or is its own; nodes must form a tree", number);
                 return;
             }
             gltf->nodes[number].parent = (uint32_t)i;

@@ -176,9 +176,8 @@ uint32_t burnish_gltf_item(burnish_gltf *gltf, uint32_t value, burnish_gltf_list
         return (uint32_t)whole;
     }
     burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, value,
-                      "%llu is not in %s, of which there are "
-                      "%zu",
-                      (unsigned long long)whole, list_keys[list], gltf->counts[list]);
+                      "%llu is not in %s, of which there are %zu", (unsigned long long)whole,
+                      list_keys[list], gltf->counts[list]);
     return BURNISH_GLTF_NONE;
 }
 

@@ -20,8 +20,8 @@ burnish_status burnish_stop_streaming(burnish_reader *reader) {
                ? burnish_reader_fail(reader, BURNISH_STATUS_READ, NULL, "to be read whole")
                : burnish_reader_fail(
                      reader, BURNISH_STATUS_MEMORY, NULL,
-                     "a preview can't be read in pieces; repair the file, or raise "
-                     "max-memory to %llu MB",
+                     "a preview can't be read in pieces; repair the file, or raise max-memory to "
+                     "%llu MB",
                      (unsigned long long)((2 * (uint64_t)reader->input->size + BURNISH_RUN_BYTES) /
                                               1000000 +
                                           1));

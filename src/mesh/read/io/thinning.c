@@ -32,11 +32,11 @@ burnish_status burnish_thinning_step(burnish_reader *reader, uint64_t needed, ui
     }
     if (room < LEAST_ROWS) {
         const uint64_t least = base_bytes(input) + (uint64_t)LEAST_ROWS * BURNISH_ROW_BYTES;
-        return burnish_reader_fail(reader, BURNISH_STATUS_MEMORY, NULL,
-                                   "max-memory: %llu MB are too few for a preview; give at least "
-                                   "%llu MB",
-                                   (unsigned long long)(input->options->max_memory / 1000000),
-                                   (unsigned long long)(least / 1000000 + 1));
+        return burnish_reader_fail(
+            reader, BURNISH_STATUS_MEMORY, NULL,
+            "max-memory: %llu MB are too few for a preview; give at least %llu MB",
+            (unsigned long long)(input->options->max_memory / 1000000),
+            (unsigned long long)(least / 1000000 + 1));
     }
     const uint64_t fair = count / room + (count % room > 0);
     *step = fair < 2 ? 2 : (size_t)fair;

@@ -258,8 +258,8 @@ static burnish_status inflate_step(burnish_zip_stream *stream, uint8_t *to, size
     if (result == BURNISH_INFLATE_DAMAGED ||
         (stream->has_ended &&
          (stream->crc != stream->part->crc || stream->written != stream->part->size))) {
-        return fail_part(stream, "the part's size or checksum does not match; fetch the file "
-                                 "again");
+        return fail_part(stream,
+                         "the part's size or checksum does not match; fetch the file again");
     }
     return BURNISH_STATUS_OK;
 }

@@ -293,8 +293,7 @@ static burnish_status obj_read(burnish_reader *reader) {
     const uint8_t *at = burnish_lexer_open(reader->input->bytes, head, 1).next;
     if (reader->input->streamed && has_library && burnish_must_stream(reader->input)) {
         burnish_reader_warn(reader, NULL,
-                            "materials are not read, as max-memory has no room for "
-                            "them");
+                            "materials are not read, as max-memory has no room for them");
     } else if (reader->input->streamed && has_library) {
         return burnish_stop_streaming(reader);
     }

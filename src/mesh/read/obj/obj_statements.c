@@ -190,8 +190,7 @@ static int fail_vertex(obj_parser *obj, burnish_token token, int64_t written) {
                            burnish_token_quote(token).text, chunk->total[BURNISH_POSITION]);
     } else {
         burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, token.bytes,
-                           "face refers to vertex %s, but only %zu precede it; correct the "
-                           "index",
+                           "face refers to vertex %s, but only %zu precede it; correct the index",
                            burnish_token_quote(token).text,
                            chunk->before[BURNISH_POSITION] + count);
     }

@@ -162,12 +162,11 @@ static burnish_status check_count(const burnish_ply_state *ply, size_t left, siz
     burnish_status status = BURNISH_STATUS_OK;
     reader->is_binary = 0;
     if (element->count > room) {
-        status = burnish_reader_fail(
-            reader, BURNISH_STATUS_FORMAT, element->at,
-            "element %s announces %llu rows, but the rest of the file has room for %llu at most; "
-            "the file is truncated or damaged",
-            burnish_token_quote(element->name).text, (unsigned long long)element->count,
-            (unsigned long long)room);
+        status = burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, element->at,
+                                     "element %s announces %llu rows, but the rest of the file has "
+                                     "room for %llu at most; the file is truncated or damaged",
+                                     burnish_token_quote(element->name).text,
+                                     (unsigned long long)element->count, (unsigned long long)room);
     } else if (element->kind == BURNISH_PLY_ELEMENT_VERTEX &&
                element->count > BURNISH_VALUE_LIMIT) {
         status = burnish_reader_fail(reader, BURNISH_STATUS_LIMIT, element->at,

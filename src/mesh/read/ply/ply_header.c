@@ -109,10 +109,9 @@ static burnish_status read_format(header_state *ply) {
     } else if (burnish_token_is(encoding, "binary_big_endian")) {
         ply->header->encoding = BURNISH_PLY_BIG_ENDIAN;
     } else {
-        return FAIL(ply,
-                    "format \"%s\" is unknown; use ascii, binary_little_endian or "
-                    "binary_big_endian",
-                    burnish_token_quote(encoding).text);
+        return FAIL(
+            ply, "format \"%s\" is unknown; use ascii, binary_little_endian or binary_big_endian",
+            burnish_token_quote(encoding).text);
     }
     ply->has_format = 1;
     return BURNISH_STATUS_OK;
@@ -155,8 +154,8 @@ static burnish_status read_element(header_state *ply) {
 
 static burnish_status fail_property(header_state *ply, burnish_token type) {
     return FAIL(ply,
-                "property type \"%s\" is unknown; use char, uchar, short, ushort, int, "
-                "uint, float or double",
+                "property type \"%s\" is unknown; use char, uchar, short, ushort, int, uint, float "
+                "or double",
                 burnish_token_quote(type).text);
 }
 
@@ -298,10 +297,10 @@ static burnish_status fail_scalar(burnish_reader *reader, const burnish_ply_head
         length += (size_t)snprintf(names + length, sizeof names - length, "%s%.30s",
                                    i > 0 ? ", " : "", burnish_token_quote(property->name).text);
     }
-    return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, element->at,
-                               "no other vertex property \"%.60s\" to colour by; the vertices have "
-                               "%s",
-                               reader->input->options->scalar_property, names);
+    return burnish_reader_fail(
+        reader, BURNISH_STATUS_FORMAT, element->at,
+        "no other vertex property \"%.60s\" to colour by; the vertices have %s",
+        reader->input->options->scalar_property, names);
 }
 
 static burnish_status check_elements(header_state *ply) {
@@ -367,8 +366,8 @@ burnish_status burnish_ply_read_header(burnish_reader *reader, burnish_ply_heade
     }
     burnish_reader_warn_group(reader, &ply.unknown);
     if (!ply.has_format) {
-        return FAIL(&ply, "the header has no format line; add \"format ascii 1.0\" or what the "
-                          "file is");
+        return FAIL(&ply,
+                    "the header has no format line; add \"format ascii 1.0\" or what the file is");
     }
     return check_elements(&ply);
 }

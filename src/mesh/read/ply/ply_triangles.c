@@ -139,10 +139,10 @@ burnish_status burnish_ply_load_textures(burnish_ply_state *ply) {
         return BURNISH_STATUS_OK;
     }
     if (mesh->streams[BURNISH_TEXCOORD].count == 0) {
-        burnish_reader_warn(ply->reader, header->textures[0].bytes,
-                            "texture \"%s\" was skipped: vertices have no s and t, faces no "
-                            "texcoord",
-                            burnish_token_quote(header->textures[0]).text);
+        burnish_reader_warn(
+            ply->reader, header->textures[0].bytes,
+            "texture \"%s\" was skipped: vertices have no s and t, faces no texcoord",
+            burnish_token_quote(header->textures[0]).text);
         return BURNISH_STATUS_OK;
     }
     const size_t count = ply->takes_textures ? header->texture_count : 1;

@@ -80,9 +80,7 @@ static void begin_model(model_state *model, burnish_threemf_xml *xml,
     if (!mesh->unit) {
         burnish_threemf_fail(
             xml, BURNISH_STATUS_FORMAT,
-            "unit \"%.40s\" is not one of micron, millimeter, centimeter, inch, foot, "
-            "meter",
-            unit);
+            "unit \"%.40s\" is not one of micron, millimeter, centimeter, inch, foot, meter", unit);
     }
     if (required) {
         check_required(xml, attributes, required);
