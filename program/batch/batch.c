@@ -416,7 +416,7 @@ static burnish_status warn_useless(const batch *b, int is_drawn, burnish_error *
 }
 
 /* Neither the report nor the sheet is one of the pictures, and sheet and page replace only their like. */
-static burnish_status check_other_files(const batch *b, burnish_error *error) {
+static burnish_status check_other_files(batch *b, burnish_error *error) {
     const char *paths[] = {b->report, b->settings->sheet}, *names[] = {"report", "sheet"};
     for (size_t k = 0; k < sizeof paths / sizeof *paths; ++k) {
         const char *last = paths[k] ? cli_base_name(paths[k]) : "";
@@ -440,39 +440,20 @@ static burnish_status check_other_files(const batch *b, burnish_error *error) {
     return b->settings->index ? batch_check_index(b, error) : BURNISH_STATUS_OK;
 }
 
-static burnish_status draw_all(batch *b, batch_settings *settings, const cli_call *call,
-                               burnish_error *error) {
-    const double start = burnish_seconds_now();
-    burnish_status status = batch_check(settings, error);
-    if (status == BURNISH_STATUS_OK) {
-        status = batch_collect(b, call, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = batch_name_outputs(b, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = batch_take_part(b, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = check_other_files(b, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = warn_useless(b, 0, error);
-    }
-    if (status == BURNISH_STATUS_OK && b->report && !batch_make_folders(b->report)) {
-        status = cli_fail(error, BURNISH_STATUS_WRITE, "%.300s: no folder for it: %s", b->report,
+static burnish_status warn_before(batch *b, burnish_error *error) {
+    return warn_useless(b, 0, error);
+}
+
+static burnish_status make_report_folder(batch *b, burnish_error *error) {
+    return !b->report || batch_make_folders(b->report)
+               ? BURNISH_STATUS_OK
+               : cli_fail(error, BURNISH_STATUS_WRITE, "%.300s: no folder for it: %s", b->report,
                           strerror(errno));
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = batch_read_past(b, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = batch_run(b, error);
-    }
-    if (status == BURNISH_STATUS_OK) {
-        status = batch_write_report(b, error);
-    }
-    if (status == BURNISH_STATUS_OK && b->settings->index && !b->is_stopped) {
+}
+
+static burnish_status write_others(batch *b, burnish_error *error) {
+    burnish_status status = BURNISH_STATUS_OK;
+    if (b->settings->index && !b->is_stopped) {
         status = batch_write_index(b, error);
     }
     if (status == BURNISH_STATUS_OK && b->settings->sheet && !b->is_stopped) {
@@ -480,6 +461,22 @@ static burnish_status draw_all(batch *b, batch_settings *settings, const cli_cal
     }
     if (status == BURNISH_STATUS_OK && !b->is_stopped) {
         batch_remove_past_parts(b);
+    }
+    return status;
+}
+
+static burnish_status draw_all(batch *b, batch_settings *settings, const cli_call *call,
+                               burnish_error *error) {
+    static burnish_status (*const steps[])(batch * b, burnish_error * error) = {
+        batch_name_outputs, batch_take_part, check_other_files,  warn_before, make_report_folder,
+        batch_read_past,    batch_run,       batch_write_report, write_others};
+    const double start = burnish_seconds_now();
+    burnish_status status = batch_check(settings, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = batch_collect(b, call, error);
+    }
+    for (size_t i = 0; i < sizeof steps / sizeof *steps && status == BURNISH_STATUS_OK; ++i) {
+        status = steps[i](b, error);
     }
     if (status == BURNISH_STATUS_OK) {
         batch_warn_inputs(b);

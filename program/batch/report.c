@@ -287,7 +287,7 @@ char *batch_failed_line(const batch *b, const batch_item *item, int code, const 
     return cli_json_string(object, failed, 0);
 }
 
-burnish_status batch_write_report(const batch *b, burnish_error *error) {
+burnish_status batch_write_report(batch *b, burnish_error *error) {
     char *text = NULL, *head = b->report ? batch_head_line(b) : NULL;
     size_t size = 0;
     if (!b->report) {

@@ -20,7 +20,7 @@ void batch_release_past(batch_past *past);
 char *batch_head_line(const batch *b);
 
 /* Writes the whole report, in the order of the items. Errors: WRITE, MEMORY. */
-burnish_status batch_write_report(const batch *b, burnish_error *error);
+burnish_status batch_write_report(batch *b, burnish_error *error);
 
 /* The line of an item that failed; release with free. NULL: out of memory. */
 char *batch_failed_line(const batch *b, const batch_item *item, int code, const char *message,

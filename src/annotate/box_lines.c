@@ -53,16 +53,6 @@ static int project_line(const burnish_annotation_view *view, burnish_vec3 a, bur
     return 1;
 }
 
-static int cut_to_range(double p, double d, double low, double high, double *from, double *to) {
-    if (d == 0) {
-        return p >= low && p <= high;
-    }
-    const double a = (low - p) / d, b = (high - p) / d;
-    *from = (a < b ? a : b) > *from ? (a < b ? a : b) : *from;
-    *to = (a < b ? b : a) < *to ? (a < b ? b : a) : *to;
-    return *from < *to;
-}
-
 static burnish_point point_at(const scene_line *line, double t) {
     return (burnish_point){line->a.x + (line->b.x - line->a.x) * t,
                            line->a.y + (line->b.y - line->a.y) * t};
@@ -72,8 +62,9 @@ static burnish_point point_at(const scene_line *line, double t) {
 static int clip_to_image(const burnish_annotation_view *view, scene_line *line) {
     double from = 0, to = 1;
     const scene_line whole = *line;
-    if (!cut_to_range(line->a.x, line->b.x - line->a.x, -8, view->width + 8, &from, &to) ||
-        !cut_to_range(line->a.y, line->b.y - line->a.y, -8, view->height + 8, &from, &to)) {
+    if (!burnish_cut_to_range(line->a.x, line->b.x - line->a.x, -8, view->width + 8, &from, &to) ||
+        !burnish_cut_to_range(line->a.y, line->b.y - line->a.y, -8, view->height + 8, &from, &to) ||
+        from == to) {
         return 0;
     }
     line->a = point_at(&whole, from);

@@ -138,8 +138,7 @@ void burnish_ink_blend(const burnish_pixels *pixels, int row, int first, int cou
 
 /* ---- Strokes far outside ---- */
 
-/* Cuts [*from, *to] of p + t d to where it is in [low, high]. Returns 0 if nothing is left. */
-static int cut_to_range(double p, double d, double low, double high, double *from, double *to) {
+int burnish_cut_to_range(double p, double d, double low, double high, double *from, double *to) {
     if (d == 0) {
         return p >= low && p <= high;
     }
@@ -169,8 +168,8 @@ static int prepare_stroke(const burnish_stroke *stroke, int width, int height,
     const double dx = stroke->x1 - x, dy = stroke->y1 - y, border = stroke->radius + 2;
     double from = 0, to = 1;
     if (!is_within(stroke, too_far) ||
-        !cut_to_range(x, dx, -border, (double)width + border, &from, &to) ||
-        !cut_to_range(y, dy, -border, (double)height + border, &from, &to)) {
+        !burnish_cut_to_range(x, dx, -border, (double)width + border, &from, &to) ||
+        !burnish_cut_to_range(y, dy, -border, (double)height + border, &from, &to)) {
         return 0;
     }
     prepared->x0 = (float)(x + from * dx);

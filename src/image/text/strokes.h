@@ -63,6 +63,9 @@ typedef struct burnish_rectangle {
 /* The pixels that a stroke can touch, within a picture. */
 burnish_rectangle burnish_stroke_bounds(const burnish_stroke *stroke, int width, int height);
 
+/* Cuts [*from, *to] of p + t d to where it is in [low, high]. Returns 0 if nothing is left. */
+int burnish_cut_to_range(double p, double d, double low, double high, double *from, double *to);
+
 /* Raises coverage[i] of pixels first + i of a row to the stroke's. */
 void burnish_stroke_cover(const burnish_stroke *stroke, int row, int first, int count,
                           float *coverage);

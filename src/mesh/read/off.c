@@ -410,11 +410,6 @@ static void off_parse(const void *state, burnish_chunk *chunk) {
     }
 }
 
-static const uint8_t *find_line(const uint8_t *from, const uint8_t *end) {
-    const uint8_t *newline = memchr(from, '\n', (size_t)(end - from));
-    return newline ? newline + 1 : end;
-}
-
 static burnish_status off_accept(void *state, const burnish_chunk *chunk) {
     off_state *off = state;
     for (size_t i = 0; i < chunk->event_count; ++i) {
@@ -435,7 +430,7 @@ static burnish_status off_accept(void *state, const burnish_chunk *chunk) {
 /* Vertices or faces from *at on. */
 static burnish_status read_rows(off_state *off, const uint8_t **at, size_t rows) {
     const unsigned has_own = off->in_faces && !off->has_colors;
-    const burnish_grammar grammar = {.find_start = find_line,
+    const burnish_grammar grammar = {.find_start = burnish_chunk_find_line,
                                      .parse = off_parse,
                                      .accept = off_accept,
                                      .indexed = 1u << BURNISH_POSITION | has_own << BURNISH_COLOR};

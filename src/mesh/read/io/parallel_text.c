@@ -50,6 +50,11 @@ static void reset_chunk(burnish_chunk *chunk) {
     chunk->exact = NULL;
 }
 
+const uint8_t *burnish_chunk_find_line(const uint8_t *from, const uint8_t *end) {
+    const uint8_t *newline = memchr(from, '\n', (size_t)(end - from));
+    return newline ? newline + 1 : end;
+}
+
 static void parse_task(void *user_data, size_t index, int thread) {
     chunk_driver *driver = user_data;
     (void)thread;

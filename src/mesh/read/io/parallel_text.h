@@ -29,6 +29,9 @@ typedef struct burnish_grammar {
     int are_facets;   /* 1: each triangle has its own three positions, without corners */
 } burnish_grammar;
 
+/* A find_start for rows: after the next line end. */
+const uint8_t *burnish_chunk_find_line(const uint8_t *from, const uint8_t *end);
+
 /* Appends what is read to reader->mesh.
  *
  * at:    where to begin; receives where reading ended

@@ -39,36 +39,23 @@ static burnish_ply_type type_of(burnish_token token) {
 }
 
 static burnish_ply_role vertex_role(burnish_token name) {
-    static const struct {
-        const char *name;
-        burnish_ply_role role;
-    } roles[] = {{"x", BURNISH_PLY_X},
-                 {"y", BURNISH_PLY_Y},
-                 {"z", BURNISH_PLY_Z},
-                 {"nx", BURNISH_PLY_NX},
-                 {"ny", BURNISH_PLY_NY},
-                 {"nz", BURNISH_PLY_NZ},
-                 {"red", BURNISH_PLY_RED},
-                 {"green", BURNISH_PLY_GREEN},
-                 {"blue", BURNISH_PLY_BLUE},
-                 {"alpha", BURNISH_PLY_ALPHA},
-                 {"r", BURNISH_PLY_RED},
-                 {"g", BURNISH_PLY_GREEN},
-                 {"b", BURNISH_PLY_BLUE},
-                 {"a", BURNISH_PLY_ALPHA},
-                 {"diffuse_red", BURNISH_PLY_RED},
-                 {"diffuse_green", BURNISH_PLY_GREEN},
-                 {"diffuse_blue", BURNISH_PLY_BLUE},
-                 {"diffuse_alpha", BURNISH_PLY_ALPHA},
-                 {"s", BURNISH_PLY_S},
-                 {"t", BURNISH_PLY_T},
-                 {"u", BURNISH_PLY_S},
-                 {"v", BURNISH_PLY_T},
-                 {"texture_u", BURNISH_PLY_S},
-                 {"texture_v", BURNISH_PLY_T}};
-    for (size_t i = 0; i < sizeof roles / sizeof *roles; ++i) {
-        if (burnish_token_is(name, roles[i].name)) {
-            return roles[i].role;
+    static const char *const names[][3] = {[BURNISH_PLY_X] = {"x"},
+                                           [BURNISH_PLY_Y] = {"y"},
+                                           [BURNISH_PLY_Z] = {"z"},
+                                           [BURNISH_PLY_NX] = {"nx"},
+                                           [BURNISH_PLY_NY] = {"ny"},
+                                           [BURNISH_PLY_NZ] = {"nz"},
+                                           [BURNISH_PLY_RED] = {"red", "r", "diffuse_red"},
+                                           [BURNISH_PLY_GREEN] = {"green", "g", "diffuse_green"},
+                                           [BURNISH_PLY_BLUE] = {"blue", "b", "diffuse_blue"},
+                                           [BURNISH_PLY_ALPHA] = {"alpha", "a", "diffuse_alpha"},
+                                           [BURNISH_PLY_S] = {"s", "u", "texture_u"},
+                                           [BURNISH_PLY_T] = {"t", "v", "texture_v"}};
+    for (size_t role = 0; role < sizeof names / sizeof *names; ++role) {
+        for (int i = 0; i < 3 && names[role][i]; ++i) {
+            if (burnish_token_is(name, names[role][i])) {
+                return (burnish_ply_role)role;
+            }
         }
     }
     return BURNISH_PLY_OTHER;

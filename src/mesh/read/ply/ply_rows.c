@@ -500,11 +500,6 @@ static void ply_parse_rows(const void *state, burnish_chunk *chunk) {
     }
 }
 
-static const uint8_t *find_line(const uint8_t *from, const uint8_t *end) {
-    const uint8_t *newline = memchr(from, '\n', (size_t)(end - from));
-    return newline ? newline + 1 : end;
-}
-
 static burnish_status ply_accept_rows(void *state, const burnish_chunk *chunk) {
     burnish_ply_state *ply = state;
     burnish_status status = BURNISH_STATUS_OK;
@@ -527,7 +522,7 @@ static burnish_status ply_accept_rows(void *state, const burnish_chunk *chunk) {
 
 burnish_status burnish_ply_read_rows(burnish_ply_state *ply, const uint8_t **at, size_t rows) {
     const burnish_grammar grammar = {
-        .find_start = ply->header.encoding == BURNISH_PLY_ASCII ? find_line : NULL,
+        .find_start = ply->header.encoding == BURNISH_PLY_ASCII ? burnish_chunk_find_line : NULL,
         .parse = ply_parse_rows,
         .accept = ply_accept_rows,
         .indexed = 1u << BURNISH_POSITION | ply->per_triangle};

@@ -348,7 +348,16 @@ static void add_item(model_state *model, burnish_threemf_xml *xml, const char *c
 
 /* ---- Elements ---- */
 
-/* The elements of property groups. */
+typedef void element_handler(model_state *model, burnish_threemf_xml *xml,
+                             const char *const *attributes);
+
+/* The handlers of elements, but for those of begin_property. */
+static element_handler *const handlers[] = {
+    [BURNISH_THREEMF_MODEL] = begin_model,         [BURNISH_THREEMF_TEXTURE_2D] = begin_texture,
+    [BURNISH_THREEMF_COORDINATE] = add_coordinate, [BURNISH_THREEMF_THE_OBJECT] = begin_object,
+    [BURNISH_THREEMF_VERTEX] = add_vertex,         [BURNISH_THREEMF_TRIANGLE] = add_triangle,
+    [BURNISH_THREEMF_COMPONENT] = add_component,   [BURNISH_THREEMF_ITEM] = add_item};
+
 static void begin_property(burnish_threemf_xml *xml, burnish_threemf_element element,
                            const char *const *attributes) {
     model_state *model = xml->handler.user_data;
@@ -374,14 +383,14 @@ static void begin_property(burnish_threemf_xml *xml, burnish_threemf_element ele
     case BURNISH_THREEMF_COLOR:
         add_color(model, burnish_threemf_attribute(attributes, "color"));
         break;
-    case BURNISH_THREEMF_COORDINATE:
-        add_coordinate(model, xml, attributes);
-        break;
     case BURNISH_THREEMF_COMPOSITE:
         add_range(model, xml, burnish_threemf_attribute(attributes, "values"));
         break;
     case BURNISH_THREEMF_MULTI:
         add_range(model, xml, burnish_threemf_attribute(attributes, "pindices"));
+        break;
+    case BURNISH_THREEMF_BEAMS:
+        object_of(model)->has_beams = 1;
         break;
     default:
         break;
@@ -390,33 +399,9 @@ static void begin_property(burnish_threemf_xml *xml, burnish_threemf_element ele
 
 static void begin_element(burnish_threemf_xml *xml, burnish_threemf_element element,
                           const char *const *attributes) {
-    model_state *model = xml->handler.user_data;
-    switch (element) {
-    case BURNISH_THREEMF_VERTEX:
-        add_vertex(model, xml, attributes);
-        break;
-    case BURNISH_THREEMF_TRIANGLE:
-        add_triangle(model, xml, attributes);
-        break;
-    case BURNISH_THREEMF_MODEL:
-        begin_model(model, xml, attributes);
-        break;
-    case BURNISH_THREEMF_TEXTURE_2D:
-        begin_texture(model, xml, attributes);
-        break;
-    case BURNISH_THREEMF_THE_OBJECT:
-        begin_object(model, xml, attributes);
-        break;
-    case BURNISH_THREEMF_BEAMS:
-        object_of(model)->has_beams = 1;
-        break;
-    case BURNISH_THREEMF_COMPONENT:
-        add_component(model, xml, attributes);
-        break;
-    case BURNISH_THREEMF_ITEM:
-        add_item(model, xml, attributes);
-        break;
-    default:
+    if (element < sizeof handlers / sizeof *handlers && handlers[element]) {
+        handlers[element](xml->handler.user_data, xml, attributes);
+    } else {
         begin_property(xml, element, attributes);
     }
 }
