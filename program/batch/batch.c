@@ -1,13 +1,6 @@
 /* `burnish batch`: flags and main steps. */
 #include "batch/batch.h"
-#include "batch/cost.h"
-#include "batch/index.h"
 #include "batch/inputs.h"
-#include "batch/names.h"
-#include "batch/report.h"
-#include "batch/runner.h"
-#include "batch/sheet.h"
-#include "batch/workers.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -1,7 +1,7 @@
 /* The cost of a picture is estimated by the size of its input file. */
 #include <stdlib.h>
 
-#include "batch/cost.h"
+#include "batch/batch.h"
 #include "batch/types.h"
 
 typedef struct sized {

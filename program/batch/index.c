@@ -5,9 +5,7 @@
 #include "base/cli/file.h"
 #include "base/cli/output.h"
 #include "base/cli/platform.h"
-#include "batch/index.h"
-#include "batch/names.h"
-#include "batch/report.h"
+#include "batch/batch.h"
 #include "batch/types.h"
 
 const batch_unit batch_units[BATCH_UNITS] = {{"", "", 0},

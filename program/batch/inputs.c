@@ -1,7 +1,7 @@
 /* Finds the input files. */
 #include "batch/inputs.h"
 #include "base/cli/platform.h"
-#include "batch/names.h"
+#include "batch/batch.h"
 #include "batch/types.h"
 #include "cli/input.h"
 #include "import/importers.h"

@@ -6,7 +6,7 @@
 #include <xxhash.h>
 
 #include "base/cli/platform.h"
-#include "batch/names.h"
+#include "batch/batch.h"
 #include "batch/types.h"
 #include "render/scene/cameras.h"
 

@@ -11,8 +11,7 @@
 #include "base/cli/file.h"
 #include "base/cli/output.h"
 #include "base/cli/platform.h"
-#include "batch/names.h"
-#include "batch/report.h"
+#include "batch/batch.h"
 #include "batch/types.h"
 #include "cli/input.h"
 

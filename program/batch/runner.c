@@ -3,9 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "batch/names.h"
-#include "batch/report.h"
-#include "batch/runner.h"
+#include "batch/batch.h"
 #include "batch/types.h"
 
 #ifndef _WIN32

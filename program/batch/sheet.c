@@ -3,8 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "batch/names.h"
-#include "batch/sheet.h"
+#include "batch/batch.h"
 #include "batch/types.h"
 #include "burnish/sheet.h"
 

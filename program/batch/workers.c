@@ -2,11 +2,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "batch/cost.h"
-#include "batch/report.h"
-#include "batch/runner.h"
+#include "batch/batch.h"
 #include "batch/types.h"
-#include "batch/workers.h"
 
 #ifndef _WIN32
 

@@ -2,7 +2,6 @@
 #include "serve/serve.h"
 #include "render/flags.h"
 #include "render/render.h"
-#include "serve/server.h"
 
 #include <string.h>
 #include <unistd.h>

@@ -20,6 +20,10 @@ typedef struct serve_settings {
     uint64_t max_request_bytes;
 } serve_settings;
 
+/* Replies to requests until standard input ends. Errors: FORMAT (invalid frame), READ, WRITE,
+ * MEMORY (no process), ARGUMENT (no sandbox). */
+burnish_status serve_run(const serve_settings *settings, burnish_error *error);
+
 enum { SERVE_HEAD_BYTES = 8, SERVE_LINE_MAX = 1 << 16 };
 
 /* The flags that a request may contain: render's, except those reserved for the operator. */

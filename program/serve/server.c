@@ -1,6 +1,5 @@
 /* Frames and processes. One thread, which blocks only in poll: it reads requests while a worker is
  * free and writes replies as fast as the client reads them. */
-#include "serve/server.h"
 #include "serve/import.h"
 #include "serve/serve.h"
 #include "serve/worker.h"

@@ -291,7 +291,7 @@ static void check_halves(void) {
 /* The test must be able to fail: these includes would turn the arrows round. */
 static void check_that_wrong_arrows_are_found(void) {
     CHECK(!allowed(find_layer("src/mesh"), "raster/tile.h"), "mesh knows no raster");
-    CHECK(!allowed(find_layer("src/raster"), "render/frame/tiles.h"), "raster knows no frame");
+    CHECK(!allowed(find_layer("src/raster"), "render/frame/steps.h"), "raster knows no frame");
     CHECK(!allowed(find_layer("src/shading"), "burnish/mesh.h"), "shading knows no file");
     CHECK(!allowed(find_layer("src/core"), "mesh/data/mesh.h"), "core knows nobody");
     CHECK(!allowed(find_layer("program/render"), "core/srgb.h"), "program: public headers");

@@ -1,7 +1,7 @@
 /* Planes: buffers of numbers for other programs. */
-#include "render/output/planes.h"
 #include "picture/exr.h"
 #include "picture/npy.h"
+#include "render/output/result.h"
 
 #include <math.h>
 #include <stdio.h>

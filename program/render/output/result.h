@@ -3,14 +3,64 @@
 #define TOOL_RENDER_OUTPUT_RESULT_H
 
 #include "burnish/drawing.h"
+#include "burnish/render.h"
 #include "burnish/sheet.h"
 #include "font/font.h"
 #include "picture/verdict.h"
-#include "render/output/planes.h"
-#include "render/output/tones.h"
 #include "render/scene/environments.h"
 #include "render/scene/warnings.h"
 #include "render/settings/settings.h"
+
+/* ---- Planes: buffers of numbers for other programs (planes.c) ---- */
+
+/* The buffers, width * height items each; NULL if not requested. */
+typedef struct render_plane_data {
+    int width, height;
+    float *color;        /* linear RGBA, straight alpha */
+    float *depth;        /* infinity for empty pixels */
+    float *normals;      /* x, y, z; 0, 0, 0 for empty pixels */
+    uint32_t *triangles; /* UINT32_MAX, which is -1, for empty pixels */
+    uint32_t *materials; /* the same */
+    uint8_t *coverage;
+    float low, high; /* of the finite depths; both 0 if there are none */
+} render_plane_data;
+
+/* Draws the planes of a set of kinds, bits 1 << render_plane_kind, with the camera and lobe of
+ * options. Release them also after an error. Errors: MEMORY, and as for drawing. */
+burnish_status render_draw_planes(burnish_renderer *renderer, const burnish_mesh *mesh,
+                                  const burnish_render_options *options, unsigned kinds,
+                                  render_plane_data *data, burnish_error *error);
+void render_release_planes(render_plane_data *data);
+
+/* The file of one plane. Errors: ARGUMENT for ids that a PNG can't hold, MEMORY. */
+burnish_status render_encode_plane(const render_plane_data *data, const render_plane *plane,
+                                   int threads, picture_file *file, burnish_error *error);
+
+/* A whole picture: EXR with every plane, or NPY with the colour. Errors: MEMORY. */
+burnish_status render_encode_planes(const render_plane_data *data, picture_format format,
+                                    picture_file *file, burnish_error *error);
+
+/* ---- Brightness and contrast of a finished picture (tones.c) ---- */
+
+/* Statistics of the pixels that show the object; shares are in [0, 1]. NaN if undefined. */
+typedef struct render_tones {
+    double near_white;  /* share: all channels at least 250 */
+    double near_black;  /* share: all channels at most 5 */
+    double like_ground; /* share: all channels within 5 of the background's */
+    double contrast;    /* (L + 0.05) / (M + 0.05) of the mean luminances of object and background,
+                           the larger one in the numerator: [1, 21], as defined by WCAG 2.2*/
+} render_tones;
+
+/* One pass over the image.
+ *   covered  pixels that show the object
+ *   options  for the background */
+render_tones render_measure_tones(const burnish_image *image, uint64_t covered,
+                                  const burnish_render_options *options);
+
+/* 1: all pixels are equal. */
+int render_has_one_color(const burnish_image *image);
+
+/* ---- Results ---- */
 
 /* The only picture, or a cell of a sheet. */
 typedef struct render_cell {

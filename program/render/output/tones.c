@@ -1,5 +1,5 @@
 /* Statistics of brightness and contrast. */
-#include "render/output/tones.h"
+#include "render/output/result.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "render/frame/attributes.h"
+#include "render/frame/surface.h"
 
 #include <string.h>
 

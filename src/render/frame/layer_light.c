@@ -1,4 +1,4 @@
-#include "render/frame/layer_light.h"
+#include "render/frame/target.h"
 
 #include <string.h>
 

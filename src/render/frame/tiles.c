@@ -1,4 +1,4 @@
-#include "render/frame/tiles.h"
+#include "render/frame/steps.h"
 
 #include "render/frame/target.h"
 

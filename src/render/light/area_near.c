@@ -1,4 +1,4 @@
-#include "render/light/area_near.h"
+#include "render/light/area.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* Circles among sharp edges, and the axes that they share. */
-#include "render/lines/axes.h"
+#include "render/lines/lines.h"
 
 #include <string.h>
 
