@@ -9,7 +9,6 @@
 #include "compare/sides.h"
 #include "import/load_input.h"
 #include "picture/read_png.h"
-#include "render/output/draw.h"
 #include "render/output/result.h"
 #include "render/scene/cameras.h"
 #include "render/scene/library_options.h"

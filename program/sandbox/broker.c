@@ -1,4 +1,3 @@
-#include "sandbox/broker.h"
 
 #ifndef _WIN32
 

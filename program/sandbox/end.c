@@ -1,5 +1,5 @@
 /* Describes how a process ended. */
-#include "sandbox/end.h"
+#include "sandbox/process.h"
 
 #ifndef _WIN32
 

@@ -18,8 +18,6 @@
 #include "base/show_text.h"
 #include "cli/limits.h"
 #include "import/folder.h"
-#include "sandbox/broker.h"
-#include "sandbox/end.h"
 #include "sandbox/lock.h"
 #include "sandbox/worker.h"
 

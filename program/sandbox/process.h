@@ -14,6 +14,7 @@
 #ifndef TOOL_SANDBOX_PROCESS_H
 #define TOOL_SANDBOX_PROCESS_H
 
+#include "burnish/core.h"
 #include "burnish/mesh.h"
 #include "picture/video.h"
 
@@ -41,5 +42,26 @@ typedef struct sandbox_plan {
  * open. In the broker, the worker has ended and *code is the exit code.
  * Errors: ARGUMENT, READ (the input), MEMORY. */
 burnish_status sandbox_begin(const sandbox_plan *plan, int *code, burnish_error *error);
+
+/* ---- end.c ---- */
+
+/* The exit code for a wait status; if the process was killed, the message and its exit code. */
+int sandbox_describe_end(int state, burnish_error *line);
+
+/* ---- broker.c ---- */
+
+typedef enum broker_state {
+    BROKER_SERVES,
+    BROKER_GONE, /* the worker has closed the channel */
+    BROKER_VIOLATION /* the worker has broken the protocol, or requested what a sound worker never does */
+} broker_state;
+
+/* Replies to a worker's messages (channel.h) until it is gone or violates the protocol; returns which.
+ * The broker needs 256 KiB whatever the worker sends, and memory for streams to decode within the
+ * plan's limits.
+ *   channel  a stream socket
+ *   input    the open input, for importers; -1: none
+ *   folder   the input's folder; -1: none */
+broker_state broker_serve(const sandbox_plan *plan, int channel, int input, int folder);
 
 #endif

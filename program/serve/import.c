@@ -1,9 +1,7 @@
 /* Importers for requests. A worker can't start processes: it sends a request to the server,
  * which forks a process that runs the importer and passes the stream to the worker. Only the
  * importer parses the mesh, and only the worker parses the stream. */
-#include "serve/import.h"
 #include "serve/serve.h"
-#include "serve/worker.h"
 
 #ifndef _WIN32
 

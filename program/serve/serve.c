@@ -9,7 +9,7 @@
 #include "cli/main.h"
 #include "sandbox/lock.h"
 
-static cli_work serve_work;
+static cli_work serve_all;
 
 #define TARGET(member) .offset = offsetof(serve_settings, member)
 
@@ -115,7 +115,7 @@ const cli_command serve_command = {
     .examples = examples,
     .sections = sections,
     .settings_size = sizeof(serve_settings),
-    .work = serve_work,
+    .work = serve_all,
 };
 
 const cli_command serve_request_command = {
@@ -130,7 +130,7 @@ const cli_command serve_request_command = {
 
 #ifdef _WIN32
 
-static burnish_status serve_work(void *from, cli_call *call, burnish_error *error) {
+static burnish_status serve_all(void *from, cli_call *call, burnish_error *error) {
     (void)from, (void)call;
     return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                     "serve-stdio: not supported on this system; run burnish render for each input");
@@ -138,7 +138,7 @@ static burnish_status serve_work(void *from, cli_call *call, burnish_error *erro
 
 #else
 
-static burnish_status serve_work(void *from, cli_call *call, burnish_error *error) {
+static burnish_status serve_all(void *from, cli_call *call, burnish_error *error) {
     serve_settings *settings = from;
     (void)call;
     render_settings defaults = settings->render;

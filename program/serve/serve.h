@@ -11,6 +11,7 @@
 #ifndef TOOL_SERVE_SERVE_H
 #define TOOL_SERVE_SERVE_H
 
+#include "import/importers.h"
 #include "render/settings/settings.h"
 
 typedef struct serve_settings {
@@ -28,5 +29,47 @@ enum { SERVE_HEAD_BYTES = 8, SERVE_LINE_MAX = 1 << 16 };
 
 /* The flags that a request may contain: render's, except those reserved for the operator. */
 extern const cli_command serve_request_command;
+
+/* ---- import.c ---- */
+
+/* A worker's request, at most once, to run an importer on part of the frame. The reply has the form
+ * of the broker's reply to MESSAGE_IMPORT (sandbox/channel.h). */
+typedef struct serve_import_request {
+    uint64_t offset, size; /* of the mesh in the frame */
+    int32_t format;        /* burnish_format or cli_foreign */
+    char name[244];        /* of the mesh, or the end of a long name */
+} serve_import_request;
+
+/* In the worker: receives the stream of a mesh for which import_choose found an importer. */
+burnish_status serve_import(const char *input, int format, uint64_t offset, uint64_t size,
+                            import_stream *stream, burnish_error *error);
+
+/* In the server: receives an import request without blocking. PENDING: nothing yet; ENDED: the
+ * worker has closed the channel; INVALID: anything else. */
+enum { SERVE_PENDING, SERVE_ENDED, SERVE_IMPORT, SERVE_INVALID };
+int serve_receive_import(int channel, serve_import_request *import);
+
+/* Runs an importer in a forked process, with the descriptors of a worker.
+ */
+__attribute__((noreturn)) void serve_run_importer(const serve_settings *settings,
+                                                  const serve_import_request *import,
+                                                  uint64_t request_size);
+
+/* ---- worker.c ---- */
+
+/* A worker's descriptors. Its standard streams are /dev/null. */
+enum {
+    SERVE_CHANNEL = 3, /* the worker sends a byte when ready and receives the request's size */
+    SERVE_REQUEST,     /* a file with the frame's bytes */
+    SERVE_REPLY,       /* a file for the reply, or for the reason why the worker could not start */
+    SERVE_DESCRIPTORS
+};
+
+/* Runs a worker. The process exits with 0 when the reply is complete. */
+__attribute__((noreturn)) void serve_work(const serve_settings *settings);
+
+/* The line of a failed request, without a newline; release with free. NULL: out of memory.
+ *   report  a JSON object in one line, or NULL */
+char *serve_failed_line(int code, const char *message, const char *report);
 
 #endif

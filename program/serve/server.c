@@ -1,8 +1,6 @@
 /* Frames and processes. One thread, which blocks only in poll: it reads requests while a worker is
  * free and writes replies as fast as the client reads them. */
-#include "serve/import.h"
 #include "serve/serve.h"
-#include "serve/worker.h"
 
 #ifndef _WIN32
 
@@ -24,7 +22,7 @@
 #include "base/clock.h"
 #include "cli/limits.h"
 #include "sandbox/channel.h"
-#include "sandbox/end.h"
+#include "sandbox/process.h"
 
 enum {
     START_TRIES = 3, /* that fail in a row end the server */

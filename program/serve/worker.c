@@ -6,9 +6,7 @@
 
 #include "base/cli/output.h"
 #include "render/render.h"
-#include "serve/import.h"
 #include "serve/serve.h"
-#include "serve/worker.h"
 
 char *serve_failed_line(int code, const char *message, const char *report) {
     cJSON *object = cJSON_CreateObject();

@@ -8,7 +8,6 @@
 
 #include "cli/main.h"
 #include "render/flags.h"
-#include "render/output/draw.h"
 #include "render/output/result.h"
 #include "render/render.h"
 #include "render/scene/cameras.h"

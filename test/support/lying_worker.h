@@ -13,8 +13,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "sandbox/broker.h"
 #include "sandbox/channel.h"
+#include "sandbox/process.h"
 
 #define LYING_SECRET "bytes that no worker may see"
 

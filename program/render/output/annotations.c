@@ -1,7 +1,7 @@
 /* Annotations of a cell, and drawings: lines and areas instead of pixels. */
-#include "render/output/annotations.h"
 #include "burnish/drawing.h"
 #include "burnish/sheet.h"
+#include "render/output/result.h"
 
 #include <string.h>
 

@@ -1,14 +1,11 @@
-#include "render/output/draw.h"
+#include "render/output/result.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
 
 #include "picture/formats.h"
-#include "render/output/annotations.h"
 #include "render/output/projection.h"
-#include "render/output/sheet_cells.h"
-#include "render/output/turntable.h"
 #include "render/scene/cameras.h"
 
 /* ---- A cell ---- */

@@ -1,5 +1,5 @@
 /* The legend of --color-by. */
-#include "render/output/annotations.h"
+#include "render/output/result.h"
 
 #include <stdio.h>
 #include <string.h>

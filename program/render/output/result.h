@@ -6,7 +6,9 @@
 #include "burnish/render.h"
 #include "burnish/sheet.h"
 #include "font/font.h"
+#include "picture/formats.h"
 #include "picture/verdict.h"
+#include "render/scene/cameras.h"
 #include "render/scene/environments.h"
 #include "render/scene/warnings.h"
 #include "render/settings/settings.h"
@@ -137,5 +139,79 @@ void render_add_reference(cJSON *root, const render_result *result, int *failed)
 
 /* If the picture does not pass, prints one line on standard error and returns 1. */
 int render_report_difference(const render_result *result);
+
+/* ---- Drawing it (draw.c) ---- */
+
+/* Aims and draws all cells, composes them, and draws planes: sets result->picture, its hash and
+ * result->planes. Errors: as for cameras and drawing. */
+burnish_status render_draw_picture(render_result *result, burnish_error *error);
+
+/* Draws a cell whose view, lobe and camera are set, with annotations and legend, as pixels and for
+ * an SVG or PDF as lines; warns about it. */
+burnish_status render_draw_cell(render_result *result, render_cell *cell, burnish_error *error);
+
+/* Draws a cell as a frame of a turntable: without annotations, and nothing is reported. */
+burnish_status render_draw_frame(render_result *result, render_cell *cell, burnish_error *error);
+
+/* ---- Turntables (turntable.c) ---- */
+
+/* The camera of the first frame, which keeps the object in the picture for the whole turn. Errors:
+ * ARGUMENT, MEMORY. */
+burnish_status render_turntable_camera(const burnish_mesh *mesh, const render_settings *settings,
+                                       render_view view, render_room *room, burnish_camera *camera,
+                                       burnish_error *error);
+
+/* Draws and writes all frames; result->cells[0] has the first one's camera and image, afterwards
+ * the image of the last one. Errors: as for drawing, the format and writing; no file appears then.
+ *   ready  receives result when all frames are written */
+burnish_status render_write_turntable(render_result *result, burnish_file_check *ready,
+                                      burnish_error *error);
+
+/* ---- Cells of a sheet (sheet_cells.c) ---- */
+
+/* The cells as arguments of the library. */
+typedef struct render_sheet {
+    burnish_sheet_cell cells[RENDER_LIST_MAX * RENDER_LIST_MAX];
+    uint8_t ink[3]; /* of labels: black or white, whichever stands out from the background */
+} render_sheet;
+
+/* The number of columns of a sheet of `count` cells. */
+int render_sheet_columns(const render_settings *settings, size_t count);
+
+/* Sets views, lobes, sizes and labels of the cells. The lobes of a view are side by side. */
+void render_describe_cells(render_result *result);
+
+/* Opens the font that labels need, if any. Errors: see font_open; only with --font. */
+burnish_status render_open_font(render_result *result, burnish_error *error);
+
+/* Checks the sheet's size, and warns about letters that no font has. */
+burnish_status render_check_sheet(render_result *result, burnish_error *error);
+
+void render_list_cells(const render_result *result, render_sheet *sheet);
+
+/* Draws the image of the whole sheet. */
+burnish_status render_compose(const render_result *result, burnish_image *image,
+                              burnish_error *error);
+
+/* ---- Annotations (annotations.c) ---- */
+
+/* Makes the cell's drawing with annotations, from the last frame of the renderer. */
+burnish_status render_trace(const render_result *result, render_cell *cell, const float *depth,
+                            burnish_error *error);
+
+/* The drawing of the only cell, or a sheet of all drawings, as SVG.
+ *   cells  as the sheet of their images takes them
+ *   ink    of labels */
+burnish_status render_encode_drawing(const render_result *result, const burnish_sheet_cell *cells,
+                                     const uint8_t ink[3], picture_file *file,
+                                     burnish_error *error);
+
+/* Draws the annotations over the cell, and warns about those without room.
+ *   depth  distances of the mesh; NULL if no annotation is behind it */
+burnish_status render_annotate(render_result *result, render_cell *cell, const float *depth,
+                               burnish_error *error);
+
+/* Draws the legend of --color-by over the image, on the right; nothing if the colours have none. */
+void render_draw_legend(const render_result *result, burnish_image *image);
 
 #endif

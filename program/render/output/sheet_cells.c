@@ -1,4 +1,4 @@
-#include "render/output/sheet_cells.h"
+#include "render/output/result.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,6 +1,5 @@
 /* Turntables: frames are drawn, encoded and written one after the other; while one is encoded, a
  * thread draws the next. Everything that affects pixels uses plain IEEE operations. */
-#include "render/output/turntable.h"
 
 #include <math.h>
 #include <pthread.h>
@@ -15,7 +14,7 @@
 #include "picture/animation.h"
 #include "picture/formats.h"
 #include "picture/video.h"
-#include "render/output/draw.h"
+#include "render/output/result.h"
 #include "render/scene/cameras.h"
 #include "sandbox/worker.h"
 
