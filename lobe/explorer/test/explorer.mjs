@@ -1,10 +1,12 @@
+// The page in Debian's Chromium, and in short in its Firefox through WebDriver BiDi.
 // Usage: node explorer.mjs BURNISH PAGE SERVER DATA RTL        SCREENS=FOLDER: screenshots of the page at every width
 import { execFileSync, spawn, spawnSync } from "node:child_process";
 import { createRequire } from "node:module";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
+import puppeteer from "puppeteer-core";
 import { layoutFaults, pictureFaults } from "./screens.mjs";
 
 const [burnish, folder, server, data, rtl] = process.argv.slice(2);
@@ -12,11 +14,15 @@ const { SCREENS } = process.env;
 const PORT = 8127;
 const HOME = `http://127.0.0.1:${PORT}/`;
 const scratch = mkdtempSync(join(tmpdir(), "burnish-"));
-const served = spawn(process.execPath, [server, folder, String(PORT)], { stdio: ["ignore", "pipe", "inherit"] });
-await new Promise((resolve, reject) => {
-  served.stdout.once("data", resolve);
-  served.once("exit", () => reject(new Error(`the server of port ${PORT} ended`)));
-});
+async function serve(port, ...mode) {
+  const served = spawn(process.execPath, [server, folder, String(port), ...mode], { stdio: ["ignore", "pipe", "inherit"] });
+  await new Promise((resolve, reject) => {
+    served.stdout.once("data", resolve);
+    served.once("exit", () => reject(new Error(`the server of port ${port} ended`)));
+  });
+  return served;
+}
+const served = await serve(PORT);
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
   args: ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update",
@@ -49,19 +55,27 @@ async function openPage(address = "", { width = 1280, height = 900, colorScheme 
   return page;
 }
 
-const hashOf = async (page) => (await page.textContent("#numbers")).match(/hash ([0-9a-f]{16})/)?.[1];
+// of a page of either browser
+const textOf = (page, selector) => page.$eval(selector, (element) => element.textContent);
 
-const settled = (page) => page.waitForFunction(() => document.getElementById("picture").ariaBusy === "false" && document.getElementById("about").textContent);
+const hashOf = async (page) => (await textOf(page, "#numbers")).match(/hash ([0-9a-f]{16})/)?.[1];
+
+const settled = (page) => page.waitForFunction(() => document.getElementById("picture").getAttribute("aria-busy") === "false" && document.getElementById("about").textContent);
 
 // The hash of the program, run by the page's command line.
 async function byProgram(page) {
-  const line = (await page.textContent("#command")).replace(/^burnish/, `'${burnish}'`);
+  const line = (await textOf(page, "#command")).replace(/^burnish/, `'${burnish}'`);
   return JSON.parse(execFileSync("sh", ["-c", `${line} -o ${join(scratch, "x.png")}`], { encoding: "utf8", cwd: data })).hash;
 }
 
 async function agrees(page, what) {
   await settled(page);
   check(what, await hashOf(page), await byProgram(page));
+}
+
+async function countsThreads(page) {
+  const threads = await page.evaluate(() => (crossOriginIsolated ? navigator.hardwareConcurrency : 0));
+  check("threads", (await textOf(page, "#about")).includes(threads === 1 ? "one thread" : `${threads} threads`), true);
 }
 
 const changes = async (page, what, act) => {
@@ -130,10 +144,10 @@ try {
   // ---- Overlays ----
   const printed = (...words) => spawnSync(burnish, ["lobe", ...words], { cwd: scratch, encoding: "utf8" });
   // cos^n as a formula, run by this browser: the difference is rounding
-  await page.setInputFiles("#overlay-file", join(data, "power.brdf"));
+  const formula = join(rtl, "../test/data/power.brdf");
+  await page.setInputFiles("#overlay-file", formula);
   await page.waitForFunction(() => document.querySelectorAll("#parameters input").length === 3);
   check("a formula", await page.textContent("#overlay-error"), "");
-  const { brdf, module } = { brdf: readFileSync(join(data, "power.brdf"), "utf8"), module: `${HOME}brdf.js` };
   const values = await page.evaluate(async ([text, url]) => {
     const { makeBrdf, parseBrdf } = await import(url);
     const parsed = parseBrdf(text, "power.brdf");
@@ -142,7 +156,7 @@ try {
       parsed.parameters.find(({ name }) => name === "phong").value = Number(isPhong);
       return evaluate(parsed.parameters, 91, Math.PI / 180, isPhong);
     });
-  }, [brdf, module]);
+  }, [readFileSync(formula, "utf8"), `${HOME}brdf.js`]);
   for (const list of values) {
     const most = Math.max(...list.map((value, degrees) => Math.abs(value / list[0] - Math.cos((degrees * Math.PI) / 180) ** 40)));
     check("cos^n as a formula", most < 1e-4 ? "the same" : most, "the same");
@@ -240,12 +254,10 @@ try {
   await page.close();
 
   // ---- A plain server: no threads, the same pictures ----
-  const other = spawn(process.execPath, [server, folder, String(PORT + 2), "plain"], { stdio: ["ignore", "pipe", "inherit"] });
-  await new Promise((resolve) => other.stdout.once("data", resolve));
+  const other = await serve(PORT + 2, "plain");
   const [alone, shared] = [await openPage("", {}, `http://127.0.0.1:${PORT + 2}/`), await openPage()];
   check("one thread", (await alone.textContent("#about")).includes("one thread"), true);
-  const threads = await shared.evaluate(() => (crossOriginIsolated ? navigator.hardwareConcurrency : 0));
-  check("threads", (await shared.textContent("#about")).includes(threads === 1 ? "one thread" : `${threads} threads`), true);
+  await countsThreads(shared);
   for (const one of [alone, shared]) {
     await agrees(one, "with and without threads");
     await one.close();
@@ -295,6 +307,35 @@ try {
     const found = await shown.evaluate(async () => (await globalThis.axe.run()).violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target).join(" ")}`).join("; "));
     check(`${name}: axe`, found, "");
     await shown.close();
+  }
+
+  // ---- Firefox ----
+  const executablePath = process.env.FIREFOX ?? "/usr/bin/firefox-esr";
+  if (existsSync(executablePath)) {
+    const firefox = await puppeteer.launch({ browser: "firefox", executablePath, headless: true, env: { ...process.env, HOME: scratch } });
+    try {
+      const page = await firefox.newPage();
+      await page.setViewport({ width: 1280, height: 900 });
+      page.on("pageerror", (error) => check("no error in Firefox", error.message, ""));
+      await page.goto(HOME);
+      await agrees(page, "as it opens in Firefox");
+      await page.select("#fit", "minimax");
+      for (const button of ["order button[value='4']", "mesh button[value=':knot']", "equation button[value='phong']"]) {
+        await page.click(`#${button}`);
+      }
+      await page.focus("#canvas");
+      await page.keyboard.press("ArrowRight");
+      await agrees(page, "another lobe and mesh, turned, in Firefox");
+      check("claims and curves in Firefox", `${(await page.$$("#claims details")).length} ${(await page.$$(".plot canvas")).length}`, "43 6");
+      await countsThreads(page);
+      await page.click("#language button[value='verilog']");
+      await page.waitForFunction(() => document.getElementById("code").textContent.includes("burnish_lobe #("));
+      check("nothing is wider than the page in Firefox", await page.evaluate(() => document.documentElement.scrollWidth > innerWidth), false);
+    } finally {
+      await firefox.close();
+    }
+  } else {
+    console.log("explorer in Firefox: skipped: firefox-esr is missing; scripts/install-deps browser");
   }
 } finally {
   await browser.close();
