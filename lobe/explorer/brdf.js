@@ -56,15 +56,19 @@ void main() {
   burnishValue = vec4(BRDF(burnishPhong ? N : V, V, N, vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0)), 1.0);
 }`;
 
-function compile(gl, type, text, file) {
-  const shader = gl.createShader(type);
-  gl.shaderSource(shader, text);
-  gl.compileShader(shader);
-  if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) {
-    const [line] = (gl.getShaderInfoLog(shader) ?? "").split("\n");
-    throw new Error(`${file}: its shader can't be compiled: ${line.replace(/^ERROR: \d+:\d+: /, "")}`);
-  }
-  return shader;
+/** Starts to compile and link a fragment shader that fills the picture: { program, shader }. */
+export function startProgram(gl, fragment) {
+  const program = gl.createProgram();
+  const [, shader] = [[gl.VERTEX_SHADER, "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }"],
+    [gl.FRAGMENT_SHADER, fragment]].map(([type, text]) => {
+    const made = gl.createShader(type);
+    gl.shaderSource(made, text);
+    gl.compileShader(made);
+    gl.attachShader(program, made);
+    return made;
+  });
+  gl.linkProgram(program);
+  return { program, shader };
 }
 
 /** Makes evaluate(parameters, count, step, isPhong): luminances of the function at `count` angles, `step` radians apart. */
@@ -73,10 +77,11 @@ export function makeBrdf(brdf, file) {
   if (!gl?.getExtension("EXT_color_buffer_float")) {
     throw new Error(`${file}: .brdf files are run by WebGL 2, which this browser lacks`);
   }
-  const program = gl.createProgram();
-  gl.attachShader(program, compile(gl, gl.VERTEX_SHADER, "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }", file));
-  gl.attachShader(program, compile(gl, gl.FRAGMENT_SHADER, source(brdf), file));
-  gl.linkProgram(program);
+  const { program, shader } = startProgram(gl, source(brdf));
+  if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) {
+    const [line] = (gl.getShaderInfoLog(shader) ?? "").split("\n");
+    throw new Error(`${file}: its shader can't be compiled: ${line.replace(/^ERROR: \d+:\d+: /, "")}`);
+  }
   if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
     throw new Error(`${file}: its shader can't be linked: is there a function vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)?`);
   }

@@ -179,7 +179,7 @@ export function turn() {
   }, 160);
 }
 
-export const fixed = (x) => String(Number(x.toFixed(2)));
+const fixed = (x) => String(Number(x.toFixed(2)));
 
 function orbit(right, up) {
   state.azimuth = fixed(((Number(state.azimuth) - right + 540) % 360) - 180);
@@ -203,62 +203,51 @@ const KEYS = {
   },
 };
 
-const pointers = new Map();
-function follow(event) {
-  const before = pointers.get(event.pointerId);
-  if (!before) {
-    return;
+/** Calls drag(now, before, other) while a pointer moves, with positions, `other` that of a second one; actOf(key) has what a key does. */
+export function byHand(element, drag, actOf) {
+  const pointers = new Map();
+  element.addEventListener("pointerdown", (event) => {
+    element.setPointerCapture(event.pointerId);
+    pointers.set(event.pointerId, [event.clientX, event.clientY]);
+  });
+  element.addEventListener("pointermove", (event) => {
+    const before = pointers.get(event.pointerId);
+    if (before) {
+      const now = [event.clientX, event.clientY];
+      pointers.set(event.pointerId, now);
+      drag(now, before, [...pointers].find(([id]) => id !== event.pointerId)?.[1]);
+    }
+  });
+  for (const end of ["pointerup", "pointercancel"]) {
+    element.addEventListener(end, (event) => pointers.delete(event.pointerId));
   }
-  const now = [event.clientX, event.clientY];
-  const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1];
-  pointers.set(event.pointerId, now);
-  const apart = (a) => Math.hypot(a[0] - other[0], a[1] - other[1]);
-  if (other) {
-    zoom(apart(now) / Math.max(1, apart(before)));
-  } else {
-    orbit((now[0] - before[0]) * 0.45, (now[1] - before[1]) * 0.45);
-  }
+  element.addEventListener("keydown", (event) => {
+    const act = actOf(event.key);
+    if (act && !event.ctrlKey && !event.metaKey) {
+      event.preventDefault();
+      act();
+    }
+  });
 }
 
 /** Pointer, wheel and keys turn the picture; calls onRest when they rest. */
 export function turnByHand(onRest) {
   rested = onRest;
-  canvas.addEventListener("pointerdown", (event) => {
-    canvas.setPointerCapture(event.pointerId);
-    pointers.set(event.pointerId, [event.clientX, event.clientY]);
-  });
-  canvas.addEventListener("pointermove", follow);
-  for (const end of ["pointerup", "pointercancel"]) {
-    canvas.addEventListener(end, (event) => pointers.delete(event.pointerId));
-  }
+  const apart = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
+  byHand(canvas, (now, before, other) => (other ? zoom(apart(now, other) / Math.max(1, apart(before, other)))
+    : orbit((now[0] - before[0]) * 0.45, (now[1] - before[1]) * 0.45)), (key) => KEYS[key]);
   canvas.addEventListener("wheel", (event) => {
     event.preventDefault();
     zoom(2 ** (-event.deltaY / 500));
   }, { passive: false });
-  canvas.addEventListener("keydown", (event) => {
-    if (KEYS[event.key] && !event.ctrlKey && !event.metaKey) {
-      event.preventDefault();
-      KEYS[event.key]();
-    }
-  });
 }
 
 /** Pointer and keys move the divider; calls onMove with its position in per cent. */
 export function divideByHand(onMove) {
-  const divider = at("divider");
   const divide = (percent) => onMove(fixed(clamp(percent, NUMBERS.divider)));
-  divider.addEventListener("pointerdown", (event) => divider.setPointerCapture(event.pointerId));
-  divider.addEventListener("pointermove", (event) => {
-    if (divider.hasPointerCapture(event.pointerId)) {
-      const box = at("picture").getBoundingClientRect();
-      divide((100 * (event.clientX - box.left)) / box.width);
-    }
-  });
-  divider.addEventListener("keydown", (event) => {
-    const steps = { ArrowLeft: -2, ArrowDown: -2, ArrowRight: 2, ArrowUp: 2, PageDown: -10, PageUp: 10, Home: -100, End: 100 };
-    if (steps[event.key]) {
-      event.preventDefault();
-      divide(Number(state.divider) + steps[event.key]);
-    }
-  });
+  const steps = { ArrowLeft: -2, ArrowDown: -2, ArrowRight: 2, ArrowUp: 2, PageDown: -10, PageUp: 10, Home: -100, End: 100 };
+  byHand(at("divider"), ([x]) => {
+    const box = at("picture").getBoundingClientRect();
+    divide((100 * (x - box.left)) / box.width);
+  }, (key) => steps[key] && (() => divide(Number(state.divider) + steps[key])));
 }

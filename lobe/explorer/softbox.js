@@ -1,4 +1,6 @@
 // Three spheres under a rectangular light that can be dragged: the light's reflection in the lobe on screen, integrated by shaders/burnish.glsl for each pixel.
+import { startProgram } from "./brdf.js";
+import { byHand, darkScheme } from "./picture.js";
 import { NUMBERS, at, clamp, show, state } from "./state.js";
 
 const EYE = [0, 1.25, 6];
@@ -115,13 +117,6 @@ function lobeFor({ zeta, order, exponent, isBlinn }) {
 
 let lobe = lobeFor({ zeta: 0, order: 8, exponent: 40, isBlinn: true });
 
-function compile(gl, type, text) {
-  const shader = gl.createShader(type);
-  gl.shaderSource(shader, text);
-  gl.compileShader(shader);
-  return shader;
-}
-
 function fail(message) {
   show(message, "softbox-error"); // it covers the picture
   at("softbox-move").hidden = at("softbox-size").hidden = true;
@@ -134,10 +129,7 @@ async function start() {
     fail("This picture needs WebGL 2, which this browser lacks.");
     return;
   }
-  const program = gl.createProgram();
-  gl.attachShader(program, compile(gl, gl.VERTEX_SHADER, "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }"));
-  gl.attachShader(program, compile(gl, gl.FRAGMENT_SHADER, fragmentOf(glsl)));
-  gl.linkProgram(program);
+  const { program } = startProgram(gl, fragmentOf(glsl));
   const parallel = gl.getExtension("KHR_parallel_shader_compile");
   while (parallel && !gl.getProgramParameter(program, parallel.COMPLETION_STATUS_KHR)) { // the page stays responsive
     await new Promise((resolve) => setTimeout(resolve, 20));
@@ -151,7 +143,6 @@ async function start() {
   for (const [name, value] of Object.entries({ eye: EYE, right, up, forward })) {
     gl.uniform3fv(uniform(name), value);
   }
-  const dark = matchMedia("(prefers-color-scheme: dark)");
   draw = () => {
     const scale = Math.max(devicePixelRatio, isMoving ? 1 : 1.5);
     const width = Math.round(canvas.clientWidth * scale);
@@ -162,14 +153,14 @@ async function start() {
     gl.viewport(0, 0, width, height);
     gl.uniform2f(uniform("size"), width, height);
     const { center, halfU, halfV } = light();
-    for (const [name, value] of Object.entries({ light: center, halfU, halfV, ground: dark.matches ? [0.012, 0.011, 0.01] : [0.23, 0.22, 0.2] })) {
+    for (const [name, value] of Object.entries({ light: center, halfU, halfV, ground: darkScheme.matches ? [0.012, 0.011, 0.01] : [0.23, 0.22, 0.2] })) {
       gl.uniform3fv(uniform(name), value);
     }
     gl.uniform1f(uniform("zeta"), lobe.zeta);
     gl.uniform1i(uniform("order"), lobe.order);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   };
-  dark.addEventListener("change", () => draw());
+  darkScheme.addEventListener("change", () => draw());
   new ResizeObserver(() => {
     place();
     draw();
@@ -219,29 +210,10 @@ const STEPS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDo
 const HANDLES = { "softbox-move": (x, y) => ({ boxx: x, boxy: y }), "softbox-size": (x, y) => ({ boxw: 2 * x, boxh: -2 * y }) };
 
 for (const [id, changes] of Object.entries(HANDLES)) {
-  const handle = at(id);
-  let before = null;
-  handle.addEventListener("pointerdown", (event) => {
-    handle.setPointerCapture(event.pointerId);
-    before = [event.clientX, event.clientY];
-  });
-  handle.addEventListener("pointermove", (event) => {
-    if (before) {
-      const unit = (2 * FIELD * dot(add(light().center, EYE, -1), forward)) / canvas.clientHeight;
-      move(changes((event.clientX - before[0]) * unit, (before[1] - event.clientY) * unit));
-      before = [event.clientX, event.clientY];
-    }
-  });
-  for (const end of ["pointerup", "pointercancel"]) {
-    handle.addEventListener(end, () => (before = null));
-  }
-  handle.addEventListener("keydown", (event) => {
-    const step = STEPS[event.key];
-    if (step && !event.ctrlKey && !event.metaKey) {
-      event.preventDefault();
-      move(changes(0.05 * step[0], 0.05 * step[1]));
-    }
-  });
+  byHand(at(id), (now, before) => {
+    const unit = (2 * FIELD * dot(add(light().center, EYE, -1), forward)) / canvas.clientHeight;
+    move(changes((now[0] - before[0]) * unit, (before[1] - now[1]) * unit));
+  }, (key) => STEPS[key] && (() => move(changes(0.05 * STEPS[key][0], 0.05 * STEPS[key][1]))));
 }
 
 // The shader is compiled when the picture comes into view.
