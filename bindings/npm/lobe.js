@@ -1,10 +1,5 @@
-// burnish/lobe: facts of lobes, and the program `burnish-lobe`, in WebAssembly.
-//
-//   import { load } from "burnish/lobe";
-//   const lobes = await load();
-//   lobes.theory("energy:2", 64).maximumError
-
-import { BurnishError, Memory, compileFile } from "./module.js";
+// burnish/lobe: facts of lobes, and the program `burnish-lobe`, in WebAssembly; lobe.d.ts describes it.
+import { BurnishError, Memory, compile } from "./module.js";
 
 export { BurnishError };
 
@@ -29,19 +24,10 @@ class Lobes {
     this.version = this.#memory.text(exports.version());
   }
 
-  /** Values of a lobe at angles in radians, in double precision. */
   theoryValues(words, exponent, angles) {
-    const e = this.#exports;
-    const input = Float64Array.from(angles);
-    return this.#memory.with([words, new Uint8Array(input.buffer), new Uint8Array(input.byteLength)], (text, from, to) => {
-      if (!e.theory_values(text, exponent, input.length, from, to)) {
-        throw this.#memory.failure();
-      }
-      return new Float64Array(e.memory.buffer, to, input.length).slice();
-    });
+    return this.#memory.values(this.#exports.theory_values, words, exponent, Float64Array.from(angles));
   }
 
-  /** Facts of a lobe at an exponent. */
   theory(words, exponent) {
     const e = this.#exports;
     return this.#memory.with([words], (text) => {
@@ -53,7 +39,6 @@ class Lobes {
     });
   }
 
-  /** Exponents and roughness: exponentFromRoughness and the like. */
   convert(name, value) {
     const which = CONVERSIONS.indexOf(name);
     if (which < 0) {
@@ -62,7 +47,6 @@ class Lobes {
     return this.#exports.theory_convert(which, value);
   }
 
-  /** The output of `burnish lobe`: ["claims", "--format=csv"], or table, choose, boundary. */
   lobe(words) {
     const e = this.#exports;
     const texts = words.map(String);
@@ -78,25 +62,13 @@ class Lobes {
     });
   }
 
-  /** An example of each kind of lobe. */
   get lobes() {
-    const words = [];
-    for (let at; (at = this.#exports.lobe_example(words.length)) !== 0; ) {
-      words.push(this.#memory.text(at));
-    }
-    return words;
+    return this.#memory.texts(this.#exports.lobe_example);
   }
 }
 
-/**
- * Makes an instance of the module.
- * @param {object} [how]
- * @param {URL|string|BufferSource|WebAssembly.Module} [how.module]  instead of the file next to this one
- */
 export async function load({ module = new URL("./burnish-lobe.wasm", import.meta.url) } = {}) {
-  const source = typeof module === "string" || module instanceof URL ? await compileFile(new URL(module, import.meta.url)) : module;
-  const compiled = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
-  const { exports } = await WebAssembly.instantiate(compiled, {});
+  const { exports } = await WebAssembly.instantiate(await compile(module, import.meta.url), {});
   exports._initialize();
   return new Lobes(exports);
 }

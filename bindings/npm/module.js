@@ -12,7 +12,12 @@ export class BurnishError extends Error {
 // The name is an argument because bundlers for browsers try to resolve literal ones.
 const importModule = (name) => import(/* webpackIgnore: true */ /* @vite-ignore */ name);
 
-export async function compileFile(url) {
+/** The module of an address, of bytes, or compiled before; an address is relative to `base`. */
+export async function compile(source, base) {
+  if (typeof source !== "string" && !(source instanceof URL)) {
+    return source instanceof WebAssembly.Module ? source : WebAssembly.compile(source);
+  }
+  const url = new URL(source, base);
   if (url.protocol === "file:" && globalThis.process?.versions?.node) {
     const { readFile } = await importModule("node:fs/promises");
     return WebAssembly.compile(await readFile(url));
@@ -66,6 +71,25 @@ export class Memory {
   text(at) {
     const bytes = new Uint8Array(this.#exports.memory.buffer, at);
     return this.#decoder.decode(bytes.slice(0, bytes.indexOf(0)));
+  }
+
+  // The texts 0, 1, ... of a function, up to the first that is missing.
+  texts(at) {
+    const found = [];
+    for (let text; (text = at(found.length)) !== 0; ) {
+      found.push(this.text(text));
+    }
+    return found;
+  }
+
+  // A lobe's values by call(words, exponent, count, from, to) at `input`, a typed array, and in its type.
+  values(call, words, exponent, input) {
+    return this.with([words, new Uint8Array(input.buffer), new Uint8Array(input.byteLength)], (text, from, to) => {
+      if (!call(text, exponent, input.length, from, to)) {
+        throw this.failure();
+      }
+      return new input.constructor(this.#exports.memory.buffer, to, input.length).slice();
+    });
   }
 
   failure() {

@@ -1,7 +1,4 @@
 // burnish/three/tsl: highlights without pow as nodes, for WebGPURenderer and both of its backends.
-//
-//   import { BurnishPhongMaterial } from "burnish/three/tsl";
-//   const material = new BurnishPhongMaterial({ shininess: 60 }, { fit: "minimax", order: 4 });
 import { MeshPhongNodeMaterial, PhongLightingModel } from "three/webgpu";
 import { F_Schlick, float, materialSpecularStrength, normalView, positionViewDirection, shininess, specularColor } from "three/tsl";
 import { checkLobe } from "./fits.js";

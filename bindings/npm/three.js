@@ -1,9 +1,5 @@
 // burnish/three: highlights without pow in three.js' materials, and rectangular lights without tables, for WebGLRenderer.
 //
-//   import { useBurnish } from "burnish/three";
-//   const material = useBurnish(new MeshPhongMaterial({ shininess: 60 }), { fit: "minimax", order: 4 });
-//   scene.add(new BurnishRectLight("white", 5, 2, 1)); // width 2, height 1
-//
 // In MeshPhongMaterial the lobe replaces pow( dotNH, shininess ); in MeshStandardMaterial and
 // MeshPhysicalMaterial the normalised lobe replaces GGX's distribution of normals. It throws if three.js no longer
 // contains the replaced source text.

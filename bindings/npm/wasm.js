@@ -1,12 +1,5 @@
-// burnish/wasm: the renderer in WebAssembly, with the same pixels as the program `burnish`.
-//
-//   import { render } from "burnish/wasm";
-//   const picture = await render(bytes, { name: "part.stl", size: 256, lobe: "minimax:4" });
-//   picture.width, picture.height, picture.pixels, picture.hash
-//
-// Options are the flags of `burnish render` in camelCase, listed in options.d.ts.
-
-import { BurnishError, Memory, compileFile } from "./module.js";
+// burnish/wasm: the renderer in WebAssembly, with the same pixels as the program `burnish`; wasm.d.ts and options.d.ts describe it.
+import { BurnishError, Memory, compile } from "./module.js";
 
 export { BurnishError };
 
@@ -15,7 +8,6 @@ const SIMD_PROBE = new Uint8Array([
   0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
 ]);
 
-/** Whether this engine supports SIMD128. */
 export const hasSimd = () => WebAssembly.validate(SIMD_PROBE);
 
 // In the order of session_number.
@@ -105,7 +97,6 @@ class Burnish {
   #exports;
   #memory;
   #reading = Promise.resolve();
-
   #startThreads;
   #naming;
 
@@ -120,7 +111,6 @@ class Burnish {
     this.flags = this.#readFlags();
   }
 
-  /** Starts the threads after load() with startThreads: false; further calls do nothing. */
   startThreads() {
     this.#startThreads();
     this.#startThreads = () => {};
@@ -146,8 +136,8 @@ class Burnish {
   // The flags that are options, by each of their names.
   #readFlags() {
     const flags = {};
-    for (let at, i = 0; (at = this.#exports.flag_row(i)) !== 0; ++i) {
-      const [name, stages, kind, others, words] = this.#memory.text(at).split("\t");
+    for (const row of this.#memory.texts(this.#exports.flag_row)) {
+      const [name, stages, kind, others, words] = row.split("\t");
       const flag = {
         name, loads: (stages & LOADS) !== 0, draws: (stages & DRAWS) !== 0, isSwitch: kind === "", isOptional: kind === "?",
         repeats: kind === "+", words: words === "" ? [] : words.split(", "),
@@ -173,7 +163,6 @@ class Burnish {
 
   // ---- Meshes ----
 
-  /** Loads a mesh from bytes, or ":teapot", ":sphere", ":torus" or ":knot". */
   open(input, options = {}) {
     this.#refuse(options, "loads", "an option of drawing; pass it to the mesh's render()");
     const isBuiltIn = typeof input === "string" && input.startsWith(":");
@@ -244,10 +233,6 @@ class Burnish {
     const pixels = options.rgba ? this.#rgba(session, 4 * facts.width * facts.height)
       : new Uint8Array(e.memory.buffer, e.session_pixels(session), facts.width * facts.height * facts.channels).slice();
     const camera = [...new Float64Array(e.memory.buffer, e.session_camera(session), 11)];
-    const warnings = [];
-    for (let at, i = 0; (at = e.session_warning(session, i)) !== 0; ++i) {
-      warnings.push(this.#memory.text(at));
-    }
     const hex = (half) => half.toString(16).padStart(8, "0");
     return {
       width: facts.width,
@@ -264,7 +249,7 @@ class Burnish {
         viewAngle: camera[9],
         orthographicHeight: camera[10],
       },
-      warnings,
+      warnings: this.#memory.texts((i) => e.session_warning(session, i)),
     };
   }
 
@@ -312,7 +297,6 @@ class Burnish {
     }
   }
 
-  /** Loads a mesh, draws one picture and closes the mesh. */
   render(input, options = {}) {
     const { loading, drawing } = this.split(options);
     const mesh = this.open(input, loading);
@@ -324,7 +308,6 @@ class Burnish {
     }
   }
 
-  /** How much two pictures of the same size differ; pictures as from render(), with three or four channels. */
   compare(a, b, { tolerance = 0 } = {}) {
     const isWhole = ({ width, height, channels, pixels }) => (channels === 3 || channels === 4) && pixels.length === width * height * channels;
     if (!isWhole(a) || !isWhole(b)) {
@@ -344,43 +327,22 @@ class Burnish {
     });
   }
 
-  // ---- Lobes ----
-
-  /** Values of a lobe at cosines, in single precision: the same bits as in pictures. */
   lobeValues(words, exponent, cosines) {
-    const e = this.#exports;
-    const input = Float32Array.from(cosines);
-    return this.#memory.with([words, new Uint8Array(input.buffer), new Uint8Array(input.byteLength)], (text, from, to) => {
-      if (!e.lobe_values(text, exponent, input.length, from, to)) {
-        throw this.#memory.failure();
-      }
-      return new Float32Array(e.memory.buffer, to, input.length).slice();
-    });
+    return this.#memory.values(this.#exports.lobe_values, words, exponent, Float32Array.from(cosines));
   }
 
-  /** File extensions that open() reads: ".obj". */
   get extensions() {
-    const extensions = [];
-    for (let i = 0, at; (at = this.#exports.format_extensions(i)) !== 0; ++i) {
-      extensions.push(...this.#memory.text(at).split(" ").filter(Boolean));
-    }
-    return extensions;
+    return this.#memory.texts(this.#exports.format_extensions).join(" ").split(" ").filter(Boolean);
   }
 
-  /** An example of each kind of lobe. */
   get lobes() {
-    const words = [];
-    for (let at; (at = this.#exports.lobe_example(words.length)) !== 0; ) {
-      words.push(this.#memory.text(at));
-    }
-    return words;
+    return this.#memory.texts(this.#exports.lobe_example);
   }
 }
 
 // Releases the memory of meshes that were not closed, some time after the last reference is gone.
 const forgotten = typeof FinalizationRegistry === "function" ? new FinalizationRegistry(({ session, module }) => module.close(session)) : null;
 
-/** A loaded mesh, for several pictures. Close it when you no longer need it. */
 class Mesh {
   #session;
   #module;
@@ -407,8 +369,6 @@ class Mesh {
   }
 }
 
-const here = import.meta.url; // webpack would look for what new URL() with a variable and import.meta.url can mean
-
 const usedFile = (simd, threads) =>
   threads > 1 ? new URL("./burnish-threads.wasm", import.meta.url)
   : simd ? new URL("./burnish-simd.wasm", import.meta.url)
@@ -434,25 +394,12 @@ function sharedMemory() {
 // The module with threads imports its memory.
 const importsMemory = (module) => WebAssembly.Module.imports(module).some(({ kind }) => kind === "memory");
 
-/**
- * Makes an instance of the module.
- * @param {object} [how]
- * @param {boolean} [how.simd]  false: the module without SIMD128; default: what the engine supports
- * @param {number} [how.threads]  number of threads, default 1; more than 1 only in a worker of a cross-origin isolated page
- * @param {boolean} [how.startThreads]  false: only one thread draws until startThreads() is called
- * @param {URL|string|BufferSource|WebAssembly.Module} [how.module]  instead of the file next to this one
- * @param {boolean} [how.dashes]  true: messages spell options as flags, --camera-position
- */
 export async function load({ simd = hasSimd(), threads = 1, startThreads = true, module, dashes = false } = {}) {
   const mayShare = simd && globalThis.crossOriginIsolated && typeof WorkerGlobalScope === "function";
   const isForThreads = module instanceof WebAssembly.Module ? importsMemory(module) : !module && threads > 1;
   const memory = mayShare && isForThreads ? sharedMemory() : null;
   const count = memory ? Math.min(threads, 64) : 1;
-  let source = module ?? usedFile(simd, count);
-  if (typeof source === "string" || source instanceof URL) {
-    source = await compileFile(new URL(source, here));
-  }
-  const compiled = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
+  const compiled = await compile(module ?? usedFile(simd, count), import.meta.url);
   const instance = await WebAssembly.instantiate(compiled, memory ? { env: { memory } } : {});
   const exports = memory ? { ...instance.exports, memory } : instance.exports;
   exports._initialize();
@@ -465,7 +412,6 @@ export async function load({ simd = hasSimd(), threads = 1, startThreads = true,
 
 let shared;
 
-/** Draws one picture with an instance that all calls share; textures are decoded. */
 export async function render(input, options = {}) {
   const burnish = await (shared ??= load());
   const { loading, drawing } = burnish.split(options);
