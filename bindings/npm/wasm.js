@@ -10,8 +10,6 @@ const SIMD_PROBE = new Uint8Array([
 
 export const hasSimd = () => WebAssembly.validate(SIMD_PROBE);
 
-// In the order of session_number.
-const NUMBERS = ["width", "height", "channels", "hashHigh", "hashLow", "coveredPixels"];
 const COUNTS = [
   "triangles", "vertices", "shells", "edges", "openEdges", "nonManifoldEdges", "inconsistentEdges", "flippedTriangles",
   "unorientableParts", "degenerateTriangles", "duplicateTriangles",
@@ -229,25 +227,17 @@ class Burnish {
         throw this.#memory.failure();
       }
     });
-    const facts = Object.fromEntries(NUMBERS.map((key, i) => [key, e.session_number(session, i)]));
-    const pixels = options.rgba ? this.#rgba(session, 4 * facts.width * facts.height)
-      : new Uint8Array(e.memory.buffer, e.session_pixels(session), facts.width * facts.height * facts.channels).slice();
+    const [width, height, channels, high, low, coveredPixels] = Array.from({ length: 6 }, (_, i) => e.session_number(session, i));
+    const pixels = options.rgba ? this.#rgba(session, 4 * width * height)
+      : new Uint8Array(e.memory.buffer, e.session_pixels(session), width * height * channels).slice();
     const camera = [...new Float64Array(e.memory.buffer, e.session_camera(session), 11)];
-    const hex = (half) => half.toString(16).padStart(8, "0");
     return {
-      width: facts.width,
-      height: facts.height,
-      channels: options.rgba ? 4 : facts.channels,
-      pixels,
-      hash: hex(facts.hashHigh) + hex(facts.hashLow),
-      coveredPixels: facts.coveredPixels,
+      width, height, channels: options.rgba ? 4 : channels, pixels,
+      hash: [high, low].map((half) => half.toString(16).padStart(8, "0")).join(""),
+      coveredPixels,
       ...this.#size(session),
       camera: {
-        position: camera.slice(0, 3),
-        focalPoint: camera.slice(3, 6),
-        viewUp: camera.slice(6, 9),
-        viewAngle: camera[9],
-        orthographicHeight: camera[10],
+        position: camera.slice(0, 3), focalPoint: camera.slice(3, 6), viewUp: camera.slice(6, 9), viewAngle: camera[9], orthographicHeight: camera[10],
       },
       warnings: this.#memory.texts((i) => e.session_warning(session, i)),
     };
@@ -391,12 +381,9 @@ function sharedMemory() {
   }
 }
 
-// The module with threads imports its memory.
-const importsMemory = (module) => WebAssembly.Module.imports(module).some(({ kind }) => kind === "memory");
-
 export async function load({ simd = hasSimd(), threads = 1, startThreads = true, module, dashes = false } = {}) {
   const mayShare = simd && globalThis.crossOriginIsolated && typeof WorkerGlobalScope === "function";
-  const isForThreads = module instanceof WebAssembly.Module ? importsMemory(module) : !module && threads > 1;
+  const isForThreads = module instanceof WebAssembly.Module ? WebAssembly.Module.imports(module).some(({ kind }) => kind === "memory") : !module && threads > 1;
   const memory = mayShare && isForThreads ? sharedMemory() : null;
   const count = memory ? Math.min(threads, 64) : 1;
   const compiled = await compile(module ?? usedFile(simd, count), import.meta.url);

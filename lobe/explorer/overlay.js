@@ -2,8 +2,7 @@
 import { makeBrdf, parseBrdf } from "./brdf.js";
 import { at, show, state } from "./state.js";
 
-const ENDING = /\.brdf$/i;
-export const isOverlay = (name) => ENDING.test(name);
+export const isOverlay = (name) => /\.brdf$/i.test(name);
 
 let overlay = null; // { name, values(angles) }, of degrees
 let changed = () => {};
@@ -32,26 +31,23 @@ function showParameters(name, parameters) {
   at("overlay-about").textContent = `${name}, run by this browser's WebGL and scaled to a peak of 1.`;
 }
 
-function takeBrdf(name, text) {
-  const brdf = parseBrdf(text, name);
-  const evaluate = makeBrdf(brdf, name);
-  overlay = {
-    name,
-    values(angles) {
-      const step = ((angles.at(-1) / (angles.length - 1)) * Math.PI) / 180;
-      const values = evaluate(brdf.parameters, angles.length, step, state.equation === "phong");
-      const peak = values[0] > 0 ? values[0] : Math.max(...values.filter(Number.isFinite));
-      return values.map((value) => value / peak);
-    },
-  };
-  showParameters(name, brdf.parameters);
-  show("", "overlay-error");
-  changed();
-}
-
 export async function openOverlay(file) {
+  const { name } = file;
   try {
-    takeBrdf(file.name, await file.text());
+    const brdf = parseBrdf(await file.text(), name);
+    const evaluate = makeBrdf(brdf, name);
+    overlay = {
+      name,
+      values(angles) {
+        const step = ((angles.at(-1) / (angles.length - 1)) * Math.PI) / 180;
+        const values = evaluate(brdf.parameters, angles.length, step, state.equation === "phong");
+        const peak = values[0] > 0 ? values[0] : Math.max(...values.filter(Number.isFinite));
+        return values.map((value) => value / peak);
+      },
+    };
+    showParameters(name, brdf.parameters);
+    show("", "overlay-error");
+    changed();
   } catch (error) {
     show(error.message, "overlay-error");
   }

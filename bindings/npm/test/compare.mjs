@@ -11,6 +11,7 @@ import { hasSimd, load, render } from "burnish/wasm";
 import { decodePng } from "./png.mjs";
 
 const [golden, data, program, seeds] = process.argv.slice(2);
+const ran = (...words) => spawnSync(program, words, { encoding: "utf8" });
 let failures = 0;
 let checks = 0;
 function check(what, found, expected) {
@@ -20,6 +21,15 @@ function check(what, found, expected) {
     console.log(`FAILED ${what}\n  found    ${found}\n  expected ${expected}`);
   }
 }
+
+const errorOf = (use) => {
+  try {
+    use();
+    return "none";
+  } catch (error) {
+    return `${error.status} ${error.message}`;
+  }
+};
 
 // "--camera-view-angle=30" to cameraViewAngle: "30"
 function optionsOf(flags) {
@@ -77,25 +87,18 @@ function unpackSeeds() {
 }
 
 function ask(name) {
-  const run = spawnSync(program, ["render", name, "--size=64", "--look=plain", "--no-textures", "--no-libraries", "--json",
-    "-o", "/dev/null"], { encoding: "utf8" });
+  const run = ran("render", name, "--size=64", "--look=plain", "--no-textures", "--no-libraries", "--json", "-o", "/dev/null");
   const line = run.stderr.split("\n").find((text) => text && !text.includes(": warning: "));
   return run.status === 0 ? JSON.parse(run.stdout).hash : line;
-}
-
-function draw(burnish, name) {
-  try {
-    return burnish.render(readFileSync(name), { name, size: 64, look: "plain", noTextures: true, noLibraries: true }).hash;
-  } catch (error) {
-    return `burnish: ${error.message}`;
-  }
 }
 
 const names = unpackSeeds();
 for (const name of names) {
   const expected = ask(name);
   for (const burnish of instances) {
-    check(`${name} simd ${burnish.simd}`, draw(burnish, name), expected);
+    let hash = "";
+    const error = errorOf(() => ({ hash } = burnish.render(readFileSync(name), { name, size: 64, look: "plain", noTextures: true, noLibraries: true })));
+    check(`${name} simd ${burnish.simd}`, hash || error.replace(/^[A-Z]+/, "burnish:"), expected);
   }
 }
 
@@ -120,7 +123,7 @@ const [burnish] = instances;
 for (const name of program ? ["wedge.stl", "cube.obj", ...names.filter((name) => /^cube.*\.(off|ply)$/.test(name))] : []) {
   const content = files[name] ?? readFileSync(name);
   writeFileSync(name, content);
-  const info = JSON.parse(spawnSync(program, ["info", name, "--json"], { encoding: "utf8" }).stdout);
+  const info = JSON.parse(ran("info", name, "--json").stdout);
   const mesh = burnish.open(content, { name, files, measure: true });
   for (const [key, value] of Object.entries(mesh.facts)) {
     const wanted = info[{ centerOfMass: "center_of_mass" }[key] ?? key.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`)];
@@ -131,7 +134,7 @@ for (const name of program ? ["wedge.stl", "cube.obj", ...names.filter((name) =>
 if (program) {
   const pictures = ["left", "iso"].map((views) => burnish.render(files["cube.obj"], { name: "cube.obj", files, size: 64, views }));
   pictures.forEach((picture, i) => writeFileSync(`${i}.png`, encodePng(picture)));
-  const wanted = JSON.parse(spawnSync(program, ["compare", "0.png", "1.png", "--tolerance=2", "--json"], { encoding: "utf8" }).stdout);
+  const wanted = JSON.parse(ran("compare", "0.png", "1.png", "--tolerance=2", "--json").stdout);
   const found = burnish.compare(...pictures, { tolerance: 2 });
   for (const [key, name] of [["differentPixels", "different_pixels"], ["psnr", "psnr"], ["ssim", "ssim"], ["flip", "flip"], ["bounds", "different_bounds"], ["silhouetteIou", "silhouette_iou"], ["largest", "largest_difference"]]) {
     check(`compare: ${key}`, JSON.stringify(found[key]), JSON.stringify(wanted[name]));
@@ -141,17 +144,8 @@ if (program) {
 
 // ---- Errors: the program's lines ----
 
-const errorOf = (use) => {
-  try {
-    use();
-    return "none";
-  } catch (error) {
-    return `${error.status} ${error.message}`;
-  }
-};
 // options without dashes
-const lineOf = (...flags) => spawnSync(program, ["render", ":sphere", ...flags, "-o", "/dev/null"], { encoding: "utf8" }).stderr
-  .replace(/--(?!help)(?=[a-z])/g, "");
+const lineOf = (...flags) => ran("render", ":sphere", ...flags, "-o", "/dev/null").stderr.replace(/--(?!help)(?=[a-z])/g, "");
 for (const [options, flag] of program ? [[{ samples: 3 }, "--samples=3"], [{ lobe: "enrgy" }, "--lobe=enrgy"], [{ size: 0 }, "--size=0"],
   [{ margn: 1 }, "--margn=1"], [{ light: ["spot:1,2,3"] }, "--light=spot:1,2,3"]] : []) {
   check(flag, `burnish: ${errorOf(() => burnish.render(":sphere", options)).replace(/^ARGUMENT /, "")}\n`, lineOf(flag));
@@ -184,7 +178,7 @@ for (const [options, flags] of program ? [
 ] : []) {
   writeFileSync("cube.obj", files["cube.obj"]);
   writeFileSync("cube.mtl", files["cube.mtl"]);
-  const wanted = JSON.parse(spawnSync(program, ["render", "cube.obj", "--size=64", ...flags, "--json", "-o", "/dev/null"], { encoding: "utf8" }).stdout);
+  const wanted = JSON.parse(ran("render", "cube.obj", "--size=64", ...flags, "--json", "-o", "/dev/null").stdout);
   check(flags.join(" "), burnish.render(files["cube.obj"], { name: "cube.obj", files, size: 64, ...options }).hash, wanted.hash);
 }
 
@@ -270,7 +264,7 @@ check("extensions", burnish.extensions.join(" ").startsWith(".gltf .glb .obj"), 
 
 // ---- What `burnish lobe` prints ----
 
-const printed = (...words) => spawnSync(program, ["lobe", ...words], { encoding: "utf8" });
+const printed = (...words) => ran("lobe", ...words);
 const about = (text) => text.split("\n").map((line) => line.split(",").map((field) => (field === "" || isNaN(field) ? field : Number(field).toPrecision(6))).join()).join("\n");
 if (program) {
   for (const words of [["claims", "--format=text"], ["boundary", "--exponents=1-255", "--as=mem"], ["boundary", "--lobe=shift7", "--lambda"],
@@ -309,7 +303,6 @@ check("no decoder", warnings.some((line) => line.includes("images can't be decod
 
 // ---- The command ----
 
-const ran = (...words) => spawnSync(program, words, { encoding: "utf8" });
 const command = (...words) => spawnSync(process.execPath, [join("node_modules", "burnish", "command.js"), ...words], { encoding: "utf8" });
 for (const words of program ? [
   [":teapot", "command.png", "--size=48x32", "--azimuth", "30", "--ground"], [":knot", "-s", "40", "--no-background", "-o", "command.png"],
@@ -334,7 +327,6 @@ for (const [words, status, line] of [
   [[":teapot", "foreign.png"], 2, "burnish: foreign.png: exists and was not written by burnish; replace it with --overwrite, or name the picture with --output=FILE\n"],
   [[":teapot", "a.jpg"], 2, 'burnish: --output: "a.jpg": this command writes PNG; end the name in .png\n'],
   [["none.stl"], 3, "burnish: none.stl: can't be opened: No such file or directory\n"],
-  [[":teapot", "--frobnicate=3"], 2, null],
   [["-z"], 2, 'burnish: -z: unknown flag; "burnish --help" lists the flags\n'],
   [[":teapot", "a.png", "--edge-widht=3"], 2, "burnish: --edge-widht: unknown flag; did you mean --edge-width?\n"],
   [[":teapot", "a.png", "--azimuth"], 2, "burnish: --azimuth: a value is missing: --azimuth=DEG\n"],

@@ -2,15 +2,6 @@
 import { readFileSync } from "node:fs";
 import { decodePng } from "./png.mjs";
 
-// "" if two pictures are the same byte for byte.
-function differenceOf(a, b) {
-  if (a.width !== b.width || a.height !== b.height) {
-    return `${a.width} x ${a.height}, not ${b.width} x ${b.height}`;
-  }
-  const different = a.pixels.reduce((count, code, i) => count + (code !== b.pixels[i]), 0);
-  return different > 0 ? `${different} of ${a.pixels.length} codes differ` : "";
-}
-
 /** What the canvas holds, and what a screenshot shows, unlike the program's PNG of the picture's left part and of the rest. */
 export async function pictureFaults(page, png, otherPng) {
   const [left, right] = [png, otherPng].map((file) => decodePng(readFileSync(file)));
@@ -31,8 +22,8 @@ export async function pictureFaults(page, png, otherPng) {
     `.picture { position: fixed; left: 0; top: 0; z-index: 9; width: ${width}px; height: ${height}px; border-radius: 0; margin: 0 !important } .picture > :not(canvas) { visibility: hidden }` });
   const screenshot = decodePng(await page.locator("#canvas").screenshot());
   await style.evaluate((element) => element.remove());
-  return [["canvas", canvas], ["screenshot", screenshot]]
-    .map(([what, found]) => [what, differenceOf(found, expected)]).filter(([, fault]) => fault).map((pair) => pair.join(": ")).join("; ");
+  const isSame = (found) => found.width === width && found.height === height && found.pixels.every((code, i) => code === expected.pixels[i]);
+  return Object.entries({ canvas, screenshot }).filter(([, found]) => !isSame(found)).map(([what, found]) => `${what} of ${found.width} x ${found.height}`).join("; ");
 }
 
 /** What is wider than the page, cut off, or lies over something else; one line each. */

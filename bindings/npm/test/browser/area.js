@@ -32,18 +32,14 @@ function metal(roughness, defines) {
   return material;
 }
 
-function cameraOf(width, height) {
-  const camera = new three.PerspectiveCamera(FIELD, width / height, 0.1, 100);
-  camera.position.set(...EYE);
-  camera.lookAt(...TARGET);
-  return camera;
-}
-
 /** Linear light, rows from the bottom. */
 function picture(renderer, scene, width, height) {
   const target = new three.WebGLRenderTarget(width, height, { type: three.FloatType });
+  const camera = new three.PerspectiveCamera(FIELD, width / height, 0.1, 100);
+  camera.position.set(...EYE);
+  camera.lookAt(...TARGET);
   renderer.setRenderTarget(target);
-  renderer.render(scene, cameraOf(width, height));
+  renderer.render(scene, camera);
   const pixels = new Float32Array(4 * width * height);
   renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels);
   target.dispose();

@@ -1,19 +1,17 @@
 // Both renderers of three.js in Debian's Chromium, compared with the package's own lobes.
-// Usage: node run.mjs FOLDER, where burnish, three and playwright-core are installed, and page.html
-import { createReadStream, existsSync, mkdtempSync, rmSync } from "node:fs";
-import { createServer } from "node:http";
+// Usage: node run.mjs SERVER, where burnish, three and playwright-core are installed, and page.html
+import { spawn } from "node:child_process";
+import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { extname, join, normalize } from "node:path";
+import { join } from "node:path";
 import { chromium } from "playwright-core";
 
-const TYPES = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm" };
-const server = createServer((request, response) => {
-  const path = join(process.argv[2], normalize(new URL(request.url, "http://localhost").pathname));
-  const found = existsSync(path);
-  response.writeHead(found ? 200 : 404, { "content-type": TYPES[extname(path)] ?? "application/octet-stream" });
-  found ? createReadStream(path).pipe(response) : response.end();
+const PORT = 8129;
+const served = spawn(process.execPath, [process.argv[2], ".", String(PORT)], { stdio: ["ignore", "pipe", "inherit"] });
+await new Promise((resolve, reject) => {
+  served.stdout.once("data", resolve);
+  served.once("exit", () => reject(new Error(`the server of port ${PORT} ended`)));
 });
-await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
 const folder = mkdtempSync(join(tmpdir(), "burnish-"));
 const browser = await chromium.launchPersistentContext(folder, {
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
@@ -30,7 +28,7 @@ try {
   const page = await browser.newPage();
   page.on("pageerror", (error) => fail(error.message));
   page.on("console", (message) => message.type() === "error" && fail(message.text()));
-  await page.goto(`http://127.0.0.1:${server.address().port}/page.html`);
+  await page.goto(`http://127.0.0.1:${PORT}/page.html`);
   await page.waitForFunction("window.results");
   const results = await page.evaluate("window.results");
   for (const [name, value] of Object.entries(results)) {
@@ -55,7 +53,7 @@ try {
   }
 } finally {
   await browser.close();
-  server.close();
+  served.kill();
   rmSync(folder, { recursive: true, force: true });
 }
 console.log(`browser: ${failures} failed`);

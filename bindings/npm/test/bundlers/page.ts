@@ -1,5 +1,6 @@
 // A page that shows a picture, as the README describes.
 import { load, render, type Picture } from "burnish/wasm";
+import { load as loadLobes } from "burnish/lobe";
 import glsl from "burnish/glsl";
 
 function show(picture: Picture): ImageData {
@@ -11,7 +12,7 @@ const canvas = document.body.appendChild(document.createElement("canvas"));
 canvas.getContext("2d")!.putImageData(show(picture), 0, 0);
 const burnish = await load();
 const mesh = burnish.open(":teapot", { clip: [[1, 0, 0, 0]], up: "+Z" });
-document.title = `${picture.hash} ${burnish.threads} ${glsl.length}`;
+document.title = `${picture.hash} ${burnish.threads} ${glsl.length} ${(await loadLobes()).version}`;
 
 // @ts-expect-error: an option that does not exist
 await render(":teapot", { siz: 64 });
