@@ -364,14 +364,6 @@ const usedFile = (simd, threads) =>
   : simd ? new URL("./burnish-simd.wasm", import.meta.url)
   : new URL("./burnish.wasm", import.meta.url);
 
-// Starts workers that share the module's memory. Calls do not wait until workers have started.
-function startWorkers(count, module, memory, exports) {
-  for (let i = 1; i < count; ++i) {
-    const worker = new Worker(new URL("./wasm-thread.js", import.meta.url), { type: "module" });
-    worker.postMessage({ module, memory, stack: exports.threads_add() });
-  }
-}
-
 // Shared memory for threads, or null if the engine does not support it. The numbers of pages are in bindings/wasm/CMakeLists.txt.
 function sharedMemory() {
   try {
@@ -390,7 +382,13 @@ export async function load({ simd = hasSimd(), threads = 1, startThreads = true,
   const instance = await WebAssembly.instantiate(compiled, memory ? { env: { memory } } : {});
   const exports = memory ? { ...instance.exports, memory } : instance.exports;
   exports._initialize();
-  const burnish = new Burnish(exports, simd, count, () => startWorkers(count, compiled, memory, exports), dashes ? DASHES : CAMEL_CASE);
+  const startWorkers = () => { // they share the module's memory; calls do not wait for them
+    for (let i = 1; i < count; ++i) {
+      const worker = new Worker(new URL("./wasm-thread.js", import.meta.url), { type: "module" });
+      worker.postMessage({ module: compiled, memory, stack: exports.threads_add() });
+    }
+  };
+  const burnish = new Burnish(exports, simd, count, startWorkers, dashes ? DASHES : CAMEL_CASE);
   if (startThreads) {
     burnish.startThreads();
   }

@@ -1,5 +1,5 @@
 // The installed package against the program: hashes of the golden pictures, and what each says of the fuzzer's seeds.
-// Usage: node compare.mjs GOLDEN DATA [PROGRAM SEEDS], in a folder where `burnish` is installed
+// Usage: node compare.mjs GOLDEN DATA PROGRAM SEEDS, in a folder where `burnish` is installed
 import { spawnSync } from "node:child_process";
 import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -76,7 +76,7 @@ for (const line of readFileSync(golden, "utf8").trim().split("\n")) {
 // What the fuzzer's seeds hold after the bytes that are its options, as files.
 function unpackSeeds() {
   const names = [];
-  for (const format of program ? readdirSync(seeds) : []) {
+  for (const format of readdirSync(seeds)) {
     for (const seed of readdirSync(join(seeds, format)).filter((name) => !name.startsWith("draco"))) { // an importer's
       const name = `${seed}.${format}`;
       writeFileSync(name, readFileSync(join(seeds, format, seed)).subarray(3));
@@ -120,7 +120,7 @@ const [burnish] = instances;
 
 // ---- Facts and differences: the program's numbers ----
 
-for (const name of program ? ["wedge.stl", "cube.obj", ...names.filter((name) => /^cube.*\.(off|ply)$/.test(name))] : []) {
+for (const name of ["wedge.stl", "cube.obj", ...names.filter((name) => /^cube.*\.(off|ply)$/.test(name))]) {
   const content = files[name] ?? readFileSync(name);
   writeFileSync(name, content);
   const info = JSON.parse(ran("info", name, "--json").stdout);
@@ -131,7 +131,7 @@ for (const name of program ? ["wedge.stl", "cube.obj", ...names.filter((name) =>
   }
   mesh.close();
 }
-if (program) {
+{
   const pictures = ["left", "iso"].map((views) => burnish.render(files["cube.obj"], { name: "cube.obj", files, size: 64, views }));
   pictures.forEach((picture, i) => writeFileSync(`${i}.png`, encodePng(picture)));
   const wanted = JSON.parse(ran("compare", "0.png", "1.png", "--tolerance=2", "--json").stdout);
@@ -146,8 +146,8 @@ if (program) {
 
 // options without dashes
 const lineOf = (...flags) => ran("render", ":sphere", ...flags, "-o", "/dev/null").stderr.replace(/--(?!help)(?=[a-z])/g, "");
-for (const [options, flag] of program ? [[{ samples: 3 }, "--samples=3"], [{ lobe: "enrgy" }, "--lobe=enrgy"], [{ size: 0 }, "--size=0"],
-  [{ margn: 1 }, "--margn=1"], [{ light: ["spot:1,2,3"] }, "--light=spot:1,2,3"]] : []) {
+for (const [options, flag] of [[{ samples: 3 }, "--samples=3"], [{ lobe: "enrgy" }, "--lobe=enrgy"], [{ size: 0 }, "--size=0"],
+  [{ margn: 1 }, "--margn=1"], [{ light: ["spot:1,2,3"] }, "--light=spot:1,2,3"]]) {
   check(flag, `burnish: ${errorOf(() => burnish.render(":sphere", options)).replace(/^ARGUMENT /, "")}\n`, lineOf(flag));
 }
 check("a sheet", errorOf(() => burnish.render(":sphere", { views: ["front,top"] })),
@@ -162,7 +162,7 @@ check("a file's name", errorOf(() => burnish.render(new Uint8Array(9), { name: "
 
 // ---- Options: lists, false, sizes ----
 
-for (const [options, flags] of program ? [
+for (const [options, flags] of [
   [{ annotate: ["axes", "box"] }, ["--annotate=axes,box"]],
   [{ edges: ["creases", "boundaries"], "edge-width": 3 }, ["--edges=creases,boundaries", "--edge-width=3"]],
   [{ clip: [[1, 0, 0, 0.5], "0,1,0,0.5"] }, ["--clip=1,0,0,.5", "--clip=0,1,0,.5"]],
@@ -175,7 +175,7 @@ for (const [options, flags] of program ? [
   [{ background: false, light: false }, ["--no-background", "--light=none"]],
   [{ width: 64 }, ["--width=64"]],
   [{ size: [64, 48] }, ["--size=64x48"]],
-] : []) {
+]) {
   writeFileSync("cube.obj", files["cube.obj"]);
   writeFileSync("cube.mtl", files["cube.mtl"]);
   const wanted = JSON.parse(ran("render", "cube.obj", "--size=64", ...flags, "--json", "-o", "/dev/null").stdout);
@@ -266,18 +266,16 @@ check("extensions", burnish.extensions.join(" ").startsWith(".gltf .glb .obj"), 
 
 const printed = (...words) => ran("lobe", ...words);
 const about = (text) => text.split("\n").map((line) => line.split(",").map((field) => (field === "" || isNaN(field) ? field : Number(field).toPrecision(6))).join()).join("\n");
-if (program) {
-  for (const words of [["claims", "--format=text"], ["boundary", "--exponents=1-255", "--as=mem"], ["boundary", "--lobe=shift7", "--lambda"],
-    ["choose", "--exponent=100", "--epsilon=0.02"]]) {
-    check(`lobe ${words.join(" ")}`, lobes.lobe(words), printed(...words).stdout);
-  }
-  // libm is another: the last digits differ
-  for (const words of [["claims", "core-w", "--format=csv"], ["table", "--metrics=energy,angle:1,angle:8", "--exponents=1-1024x1.5", "--format=csv"]]) {
-    check(`lobe ${words.join(" ")}`, about(lobes.lobe(words)), about(printed(...words).stdout));
-  }
-  for (const words of [["claims", "core"], ["table", "--lobes=enrgy"]]) {
-    check(`lobe ${words.join(" ")}`, `burnish: ${errorOf(() => lobes.lobe(words)).replace(/^[A-Z]+ /, "")}\n`, printed(...words).stderr);
-  }
+for (const words of [["claims", "--format=text"], ["boundary", "--exponents=1-255", "--as=mem"], ["boundary", "--lobe=shift7", "--lambda"],
+  ["choose", "--exponent=100", "--epsilon=0.02"]]) {
+  check(`lobe ${words.join(" ")}`, lobes.lobe(words), printed(...words).stdout);
+}
+// libm is another: the last digits differ
+for (const words of [["claims", "core-w", "--format=csv"], ["table", "--metrics=energy,angle:1,angle:8", "--exponents=1-1024x1.5", "--format=csv"]]) {
+  check(`lobe ${words.join(" ")}`, about(lobes.lobe(words)), about(printed(...words).stdout));
+}
+for (const words of [["claims", "core"], ["table", "--lobes=enrgy"]]) {
+  check(`lobe ${words.join(" ")}`, `burnish: ${errorOf(() => lobes.lobe(words)).replace(/^[A-Z]+ /, "")}\n`, printed(...words).stderr);
 }
 check("no plots", errorOf(() => lobes.lobe(["plot", "object"])).split(" ")[0], "ARGUMENT");
 check("no JSON", errorOf(() => lobes.lobe(["claims", "--format=json"])).split(" ")[0], "ARGUMENT");
@@ -304,10 +302,10 @@ check("no decoder", warnings.some((line) => line.includes("images can't be decod
 // ---- The command ----
 
 const command = (...words) => spawnSync(process.execPath, [join("node_modules", "burnish", "command.js"), ...words], { encoding: "utf8" });
-for (const words of program ? [
+for (const words of [
   [":teapot", "command.png", "--size=48x32", "--azimuth", "30", "--ground"], [":knot", "-s", "40", "--no-background", "-o", "command.png"],
   [":knot", "command.png", "--width=60", "--edges", "--edge-width=3", "--light=point:0,1,2", "--light", "directional:1,2,3", "--background", "red"],
-] : []) {
+]) {
   const report = JSON.parse(command(...words, "--json").stdout);
   const program = JSON.parse(ran("render", ...words, "--json", "--overwrite").stdout);
   check(`command ${words.join(" ")}`, report.hash, program.hash);
@@ -318,10 +316,8 @@ for (const name of ["cube.obj", "cube.mtl"]) {
   writeFileSync(join("parts", name), files[name]);
 }
 writeFileSync(join("parts", "other.mtl"), "newmtl red\nKd 1 1 1\n");
-if (program) {
-  check("command with a material library", JSON.parse(command("parts/cube.obj", "cube.png", "-s", "40", "--json").stdout).hash,
-    JSON.parse(ran("render", "parts/cube.obj", "cube.png", "-s", "40", "--json", "--overwrite").stdout).hash);
-}
+check("command with a material library", JSON.parse(command("parts/cube.obj", "cube.png", "-s", "40", "--json").stdout).hash,
+  JSON.parse(ran("render", "parts/cube.obj", "cube.png", "-s", "40", "--json", "--overwrite").stdout).hash);
 writeFileSync("foreign.png", "texture");
 for (const [words, status, line] of [
   [[":teapot", "foreign.png"], 2, "burnish: foreign.png: exists and was not written by burnish; replace it with --overwrite, or name the picture with --output=FILE\n"],
