@@ -23,14 +23,12 @@ const ROWS = [
   ["Energy of cos^n", (f, power) => `${((100 * f.integral) / power.integral).toFixed(1)} %`],
 ];
 
-const radians = (list) => list.map((x) => (x * Math.PI) / 180);
-
 const compute = latest(async () => {
   const exponent = Number(state.n);
   const end = Math.min(90, (4.2 * Math.acos(0.5 ** (1 / exponent)) * 180) / Math.PI);
   const steps = Array.from({ length: POINTS }, (_, i) => (i * end) / (POINTS - 1));
   const lobes = [lobeOf(state), state.against, "power"];
-  const [lobe, other, power] = await request("theory", { lobes, exponent, angles: radians(steps) });
+  const [lobe, other, power] = await request("theory", { lobes, exponent, angles: steps.map((x) => (x * Math.PI) / 180) });
   (await curves).overAngle(steps, [...lobe.values], [...other.values], [...power.values], overlayValues(steps));
   at("cost").innerHTML = ROWS.map(([name, text]) =>
     `<tr><th scope="row">${name}</th><td>${text(lobe.facts, power.facts)}</td><td>${text(other.facts, power.facts)}</td></tr>`).join("");
@@ -38,11 +36,9 @@ const compute = latest(async () => {
   await showCode(lobe.facts);
 }, show);
 
-const MEMORIES = { memory: "c", mem: "mem" };
-
 async function showCode(facts) {
   const { language } = state;
-  const form = MEMORIES[language];
+  const form = { memory: "c", mem: "mem" }[language];
   const words = ["boundary", `--lobe=${lobeOf(state)}`, "--exponents=1-1023", `--as=${form}`];
   const text = form ? await request("lobe", { words }) : codeOf({ ...state, order: Number(state.order), exponent: Number(state.n), ...facts }, language);
   if (at("code").textContent !== text) {
@@ -66,9 +62,7 @@ async function tableOf(lobe) {
 }
 
 const tabulate = latest(async () => {
-  const lobe = await tableOf(lobeOf(state));
-  const other = await tableOf(state.against);
-  const power = await tableOf("power");
+  const [lobe, other, power] = [await tableOf(lobeOf(state)), await tableOf(state.against), await tableOf("power")];
   (await curves).overExponent(power.n, lobe, other, power);
 }, show);
 
