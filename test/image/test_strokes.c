@@ -1,5 +1,5 @@
 /* Strokes: coverage against distances in double precision, ink against the area of lines, every
- * format, clipping, threads, memory that runs out. Outlines: coverage against areas. */
+ * format, threads, memory that runs out. Outlines: coverage against areas. */
 #include <math.h>
 
 #include "burnish/sheet.h"
@@ -144,31 +144,6 @@ static void test_formats(void) {
         }
         for (int x = 4 * WIDTH; x < STRIDE; ++x) {
             CHECK1(bytes[BURNISH_PIXELS_RGBA8][y * STRIDE + x] == 255);
-        }
-    }
-}
-
-/* What a small picture shows is the crop of a large one. */
-static void test_clipping(void) {
-    static float large[90 * 90 * 4], small[20 * 20 * 4];
-    const burnish_pixels a = floats_of(large, 90, 90), b = floats_of(small, 20, 20);
-    for (int i = 0; i < 40; ++i) {
-        const burnish_stroke stroke = {random_float(-20, 110), random_float(-20, 110),
-                                       random_float(-20, 110), random_float(-20, 110), 1.1f};
-        burnish_stroke moved = stroke;
-        moved.x0 -= 32;
-        moved.y0 -= 32;
-        moved.x1 -= 32;
-        moved.y1 -= 32;
-        memset(large, 0, sizeof large);
-        memset(small, 0, sizeof small);
-        draw(&a, &stroke, 1, 1);
-        draw(&b, &moved, 1, 1);
-        for (int y = 0; y < 20; ++y) {
-            for (int x = 0; x < 20; ++x) {
-                CHECK1(fabsf(large[((y + 32) * 90 + x + 32) * 4 + 3] -
-                             small[(y * 20 + x) * 4 + 3]) < 1e-4f);
-            }
         }
     }
 }
@@ -432,7 +407,6 @@ int main(int count, char **arguments) {
     RUN(test_area());
     RUN(test_joints());
     RUN(test_formats());
-    RUN(test_clipping());
     RUN(test_extremes());
     RUN(test_bands());
     RUN(test_refusals());

@@ -134,23 +134,6 @@ static void test_other_characters(void) {
     CHECK(hash_of("a b") != hash_of("ab"), "a space");
 }
 
-/* Capitals of 50 pixels have a pen of exactly 6 pixels: H is black in whole rows and columns. */
-static void test_exact_stem(void) {
-    burnish_image image = make_filled(60, 60, 3, 255);
-    burnish_image_draw_text(&image, 0, 55, 50, black, "H");
-    int bounds[4];
-    ink_bounds(&image, bounds);
-    CHECK(bounds[1] == 5 && bounds[3] == 55, "rows %d to %d", bounds[1], bounds[3]);
-    for (int y = 9; y < 51; ++y) {
-        for (int x = 0; x < 6; ++x) {
-            CHECK(pixel_at(&image, bounds[0] + x, y)[1] == 0, "column %d, row %d", x, y);
-            CHECK(pixel_at(&image, bounds[2] - 1 - x, y)[1] == 0, "column -%d, row %d", x, y);
-        }
-    }
-    CHECK(pixel_at(&image, bounds[0] + 6, 15)[0] == 255, "the pen is 6 pixels wide");
-    burnish_image_destroy(&image);
-}
-
 /* Over nothing, alpha is the coverage and the colour is pure; over white, the same coverage mixes
  * linear light. */
 static void test_blending(void) {
@@ -213,7 +196,6 @@ int main(int count, char **arguments) {
     RUN(test_glyphs(50));
     RUN(test_stroke_limit());
     RUN(test_other_characters());
-    RUN(test_exact_stem());
     RUN(test_blending());
     RUN(test_golden());
     return test_end("text");

@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdint.h>
 
-#include "raster/fragments.h"
 #include "raster/geometry.h"
 #include "reference_tile.h"
 #include "support.h"
@@ -244,52 +243,6 @@ static void check_rounding(void) {
     }
 }
 
-/* The nearer triangle shows, and the fragments say where: weights, depth and place agree. */
-static void check_fragments(void) {
-    static test_mesh mesh;
-    mesh.vertex_count = mesh.triangle_count = 0;
-    static const float POSITIONS[18] = {-40, -40, 0, 40, -40, 0, 0, 40, 0,
-                                        -20, -20, 5, 20, -20, 9, 0, 20, 13};
-    memcpy(mesh.positions, POSITIONS, sizeof POSITIONS);
-    mesh.vertex_count = 6;
-    add_triangle(&mesh, 0, 1, 2);
-    add_triangle(&mesh, 3, 4, 5);
-    burnish_raster_view view = parallel_view(SIZE, SIZE, 4);
-    burnish_geometry geometry = {0};
-    burnish_bins bins = {0};
-    const burnish_triangles triangles = triangles_of(&mesh);
-    list_triangles(burnish_raster_ops_for(BURNISH_ISA_SCALAR), &view, &triangles, &geometry, &bins);
-    CHECK(geometry.triangle_count == 2 && geometry.headers[0].visible[0] == 3, "two front faces");
-    reference_tile tile;
-    reference_tile_create(&tile, 4, NULL);
-    reference_draw_tile(&tile, &view, &geometry, &bins, 0, 0);
-    burnish_fragments fragments;
-    int front = 0, samples = 0, wrong = 0;
-    while (reference_next_fragments(&tile, &view, &geometry, &fragments)) {
-        for (int i = 0; i < fragments.count; ++i) {
-            const uint32_t *v = fragments.primitives[i].vertices;
-            double w[3] = {1.0 - fragments.weight1[i] - fragments.weight2[i], fragments.weight1[i],
-                           fragments.weight2[i]};
-            double p[3] = {0, 0, 0};
-            for (int k = 0; k < 3; ++k) {
-                for (int axis = 0; axis < 3; ++axis) {
-                    p[axis] += w[k] * mesh.positions[3 * v[k] + (uint32_t)axis];
-                }
-            }
-            wrong += !(fabs(p[0] - fragments.x[i]) < 0.01 && fabs(p[1] - fragments.y[i]) < 0.01 &&
-                       fabs(0.5 + 0.002 * p[2] - fragments.depth[i]) < 1e-6);
-            samples += fragments.weight[i];
-            front += fragments.primitives[i].id_and_facing >> 1 == 1 ? fragments.weight[i] : 0;
-        }
-    }
-    CHECK(wrong == 0, "%d fragments whose weights do not give their place", wrong);
-    CHECK(abs(front - 4 * 800) <= 4, "the nearer triangle has area 800, got %d/4", front);
-    CHECK(samples > front, "the farther one shows around it");
-    reference_tile_destroy(&tile);
-    burnish_bins_destroy(&bins);
-    burnish_geometry_destroy(&geometry);
-}
-
 /* A tile of a mesh in parallel view, drawn by the fast renderer; marks its triangles. */
 static void draw_first_tile(burnish_tile *tile, const burnish_raster_view *view,
                             const test_mesh *mesh, int column, uint8_t *drawn) {
@@ -410,7 +363,6 @@ int main(int count, char **arguments) {
     RUN(check_plane());
     RUN(check_box_from_inside());
     RUN(check_bins());
-    RUN(check_fragments());
     RUN(check_marks());
     RUN(check_hiz_at_the_edge());
     RUN(check_clip_bound());

@@ -1,5 +1,5 @@
-/* Area lights and domes in whole pictures: a furnace, sums over many points of a light, lights that
- * shrink to directional ones; environments as the background. */
+/* Area lights and domes in whole pictures: a furnace, sums over many points of a light; environments
+ * as the background. */
 #include <math.h>
 
 #include "burnish/light.h"
@@ -192,36 +192,6 @@ static void test_sums(burnish_mesh *mesh) {
             }
         }
     }
-}
-
-/* A light that shrinks to a solid angle W lights matt surfaces as a directional one of colour L W /
- * pi. The map of 32 texels rounds off the bend at the horizon. */
-static void test_small(burnish_mesh *mesh) {
-    static float lit[SIDE][SIDE][4];
-    burnish_render_options options = dark_options(0);
-    double worst = 0;
-    options.area_lights[0] = (burnish_area_light){.is_distant = 1,
-                                                  .center = {2, 1, 2},
-                                                  .half_u = {-0.02, 0, 0.02},
-                                                  .half_v = {-0.01, 0.04, -0.01},
-                                                  .color = {1000, 1000, 1000}};
-    options.area_light_count = 1;
-    set_phong(mesh, 1, 0, 20);
-    draw(mesh, &options);
-    memcpy(lit, picture.rgba, sizeof lit);
-    options.area_light_count = 0;
-    options.light_count = 1;
-    /* half_u and half_v are normal to each other and to the light's direction */
-    const double solid_angle = 4 * sqrt(0.0008) * sqrt(0.0018) / 9;
-    const float color = (float)(1000 * solid_angle / 3.14159265358979);
-    options.lights[0] =
-        (burnish_light){BURNISH_LIGHT_DIRECTIONAL, 0, {2, 1, 2}, {color, color, color}};
-    draw(mesh, &options);
-    for (int i = 0; i < SIDE * SIDE; ++i) {
-        worst = fmax(worst, fabs((double)lit[i / SIDE][i % SIDE][0] -
-                                 (double)picture.rgba[i / SIDE][i % SIDE][0]));
-    }
-    CHECK(worst < 3e-2 * (double)color, "off by %g of %g", worst, (double)color);
 }
 
 /* ---- GGX under near lights ---- */
@@ -445,7 +415,6 @@ int main(int count, char **arguments) {
     burnish_environment *environment = make_environment();
     RUN(test_furnace(mesh));
     RUN(test_sums(mesh));
-    RUN(test_small(mesh));
     RUN(test_ggx());
     RUN(test_gradient(sphere, environment));
     RUN(test_rows_and_shares(sphere, environment));

@@ -138,18 +138,6 @@ static void test_exact_fit(void) {
     }
 }
 
-/* The camera of a fine sphere is at r / sin of the remaining angle, on the three-quarter axis. */
-static void test_sphere_distance(void) {
-    burnish_mesh *mesh = load_tessellated(":sphere", 64);
-    burnish_framing options = burnish_framing_default();
-    burnish_camera camera = fit(mesh, &options, 1);
-    double distance = sqrt(dot(camera.position, camera.position));
-    double expected = 1 / sin(atan(tan(15 * DEGREE) * 0.9));
-    CHECK(fabs(distance / expected - 1) < 1e-3, "%g, not %g", distance, expected);
-    CHECK(sqrt(dot(camera.focal_point, camera.focal_point)) < 1e-3, "focal point off the centre");
-    burnish_mesh_destroy(mesh);
-}
-
 /* Cameras and lights of a file remain when it has no material. */
 static void test_no_materials(void) {
     burnish_load_options load = burnish_load_options_default();
@@ -273,22 +261,6 @@ static void test_degenerate_shapes(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* If the caller gives no up axis, the mesh's is used: +Z for STL. */
-static void test_up_of_format(void) {
-    static const char STL[] = "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
-                              "vertex 0 0 1\nendloop\nendfacet\nendsolid\n";
-    static const double Z[3] = {0, 0, 1};
-    burnish_framing options = burnish_framing_default();
-    burnish_camera own, told;
-    burnish_mesh *mesh = load_bytes(STL, sizeof STL - 1, "a.stl", NULL);
-    CHECK1(burnish_mesh_get_view(mesh)->up_axis[2] == 1);
-    CHECK1(burnish_camera_frame(mesh, &options, &own, NULL) == BURNISH_STATUS_OK);
-    memcpy(options.up, Z, sizeof Z);
-    CHECK1(burnish_camera_frame(mesh, &options, &told, NULL) == BURNISH_STATUS_OK);
-    CHECK1(memcmp(&own, &told, sizeof own) == 0 && own.view_up[2] > 0.9);
-    burnish_mesh_destroy(mesh);
-}
-
 static void test_arguments(void) {
     burnish_mesh *mesh = load_tessellated(":torus", 6);
     burnish_error error = {BURNISH_STATUS_OK, ""};
@@ -337,11 +309,9 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_exact_fit());
     RUN(test_insets());
-    RUN(test_sphere_distance());
     RUN(test_no_materials());
     RUN(test_views());
     RUN(test_degenerate_shapes());
-    RUN(test_up_of_format());
     RUN(test_arguments());
     return test_end("camera");
 }

@@ -1,6 +1,5 @@
 /* Lines against analytic pictures: which edges of boxes show and where hidden parts end, the circle
- * that a sphere's silhouette is, ink against length times width, SVG against the lines; edges of
- * meshes against their facts. */
+ * that a sphere's silhouette is, SVG against the lines; edges of meshes against their facts. */
 #include <math.h>
 
 #include "burnish/drawing.h"
@@ -444,31 +443,6 @@ static void test_loose(void) {
     CHECK1(at == art.lines.line_count && art.lines.point_count == 2 * at && starts[at] == 2 * at);
 }
 
-/* ---- Ink ---- */
-
-/* Of the cube's picture in linear light the missing light is the ink: length times width. */
-static void test_ink(void) {
-    static const double position[3] = {6, -9, 5};
-    static float light[SIZE * SIZE * 4];
-    const shape s = box_at(-1, -1, -1, 2, 2, 2);
-    burnish_render_options options = make_options(position, 4, BURNISH_EDGES_FEATURES);
-    memset(options.edge_color, 0, sizeof options.edge_color);
-    options.edge_width = 3;
-    drawn d = draw(create_shape(&s), options);
-    draw_floats(d.mesh, &options, light, NULL);
-    double ink = 0, expected = 0;
-    for (int i = 0; i < SIZE * SIZE; ++i) {
-        ink += 1 - (double)light[4 * i];
-    }
-    for (size_t i = 0; i < d.lines->line_count; ++i) {
-        const burnish_lines one = {
-            .line_count = 1, .starts = d.lines->starts + i, .points = d.lines->points};
-        expected += length_of_lines(&one) * (double)d.lines->widths[i];
-    }
-    CHECK(fabs(ink / expected - 1) < 0.03, "ink %g, expected %g", ink, expected);
-    drop(&d);
-}
-
 /* ---- SVG ---- */
 
 /* Every line's points come back. */
@@ -595,7 +569,6 @@ int main(int count, char **arguments) {
     RUN(test_no_lines());
     RUN(test_axis_views());
     RUN(test_loose());
-    RUN(test_ink());
     RUN(test_svg());
     RUN(test_edges(load_measured(":teapot", 4)));
     RUN(test_edges(load_measured(":knot", 6)));

@@ -1,8 +1,7 @@
-/* Whole pictures against formulas: highlights, perspective-correct attributes, point lights, edges,
- * what is hidden; what is counted. */
+/* Whole pictures against formulas: perspective-correct attributes, point lights, edges, what is
+ * hidden; what is counted. */
 #include <math.h>
 
-#include "burnish/theory.h"
 #include "pictures.h"
 #include "shapes.h"
 
@@ -20,85 +19,6 @@ static burnish_material phong(float diffuse, float specular, float exponent) {
     material.exponent = exponent;
     material.has_diffuse = 1;
     return material;
-}
-
-typedef struct lobe_case {
-    const char *name;
-    float exponent;
-} lobe_case;
-
-static const lobe_case LOBES[] = {
-    {"power", 20},       {"power", 200},      {"taylor:2", 40},       {"energy:2", 40},
-    {"energy:8", 60},    {"level0.5:2", 100}, {"shift7", 32},         {"shift3", 32},
-    {"projected:4", 50}, {"schlick", 30},     {"gaussian", 64},       {"gx", 30},
-    {"minimax:4", 40},   {"affine:2", 30},    {"leastsquares:8", 50}, {"zeta6.645:2", 18},
-};
-
-/* The lobe's value in double precision. */
-static double exact_lobe(const lobe_case *lobe, double cosine) {
-    static const lobe_case *solved; /* the searched fits take a while */
-    static burnish_lobe_spec choice;
-    static double zeta, scale;
-    if (lobe != solved) {
-        solved = lobe;
-        burnish_lobe_spec_parse(lobe->name, &choice, NULL);
-        CHECK((choice.kind != BURNISH_LOBE_FAMILY && choice.kind != BURNISH_LOBE_LYON) ||
-                  burnish_lobe_solve(&choice, (double)lobe->exponent, &zeta, &scale) ==
-                      BURNISH_LOBE_OK,
-              "zeta of %s", lobe->name);
-    }
-    switch (choice.kind) {
-    case BURNISH_LOBE_POWER:
-        return burnish_theory_power(cosine, (double)lobe->exponent);
-    case BURNISH_LOBE_SCHLICK:
-        return burnish_theory_schlick(cosine, (double)lobe->exponent);
-    case BURNISH_LOBE_GAUSSIAN:
-        return burnish_theory_gaussian(cosine, (double)lobe->exponent);
-    case BURNISH_LOBE_GX:
-        return burnish_theory_gx(cosine, (double)lobe->exponent);
-    default:
-        return scale * burnish_theory_family(zeta, choice.order, cosine);
-    }
-}
-
-/* Every pixel well inside the sphere against the equation itself, for an oblique light. */
-static void check_highlight(burnish_mesh *sphere, burnish_specular_model equation) {
-    enum { SIZE = 301 };
-    const double radius = SIZE / 2.2;
-    const double light[3] = {0.48, 0.6, 0.64};
-    double length =
-        sqrt(light[0] * light[0] + light[1] * light[1] + (light[2] + 1) * (light[2] + 1));
-    double half[3] = {light[0] / length, light[1] / length, (light[2] + 1) / length};
-    for (size_t i = 0; i < sizeof LOBES / sizeof LOBES[0]; ++i) {
-        burnish_render_options options = front_options(SIZE, SIZE, 2.2);
-        const burnish_material material = phong(0.25f, 0.5f, LOBES[i].exponent);
-        double worst = 0;
-        light_from(&options, light[0], light[1], light[2]);
-        set_material(sphere, &material);
-        burnish_lobe_spec_parse(LOBES[i].name, &options.lobe, NULL);
-        options.specular_model = equation;
-        burnish_image image = draw_image(sphere, &options, NULL);
-        for (int y = 0; y < SIZE; ++y) {
-            for (int x = 0; x < SIZE; ++x) {
-                double nx = (x + 0.5 - SIZE / 2.0) / radius, ny = (SIZE / 2.0 - y - 0.5) / radius;
-                double squared = nx * nx + ny * ny;
-                if (squared > 0.9) {
-                    continue;
-                }
-                double nz = sqrt(1 - squared);
-                double n_dot_l = nx * light[0] + ny * light[1] + nz * light[2];
-                double cosine = equation == BURNISH_SPECULAR_BLINN
-                                    ? nx * half[0] + ny * half[1] + nz * half[2]
-                                    : 2 * n_dot_l * nz - light[2];
-                double lobe = exact_lobe(&LOBES[i], cosine);
-                double expected = n_dot_l > 0 ? 0.25 * n_dot_l + 0.5 * lobe : 0;
-                worst = fmax(worst, fabs(pixel_value(&image, x, y, 1) - expected));
-            }
-        }
-        /* half a code of sRGB near 0.75 is 0.004; the tessellated normals add a little */
-        CHECK(worst < 0.008, "%s: largest difference %.4f", LOBES[i].name, worst);
-        burnish_image_destroy(&image);
-    }
 }
 
 /* A floor that runs from z = 4 to z = -40, black to white: the colour at a pixel is where its ray
@@ -297,8 +217,6 @@ static void check_fallback(burnish_mesh *sphere) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     burnish_mesh *sphere = load_tessellated(":sphere", 96);
-    RUN(check_highlight(sphere, BURNISH_SPECULAR_BLINN));
-    RUN(check_highlight(sphere, BURNISH_SPECULAR_PHONG));
     RUN(check_perspective_colors());
     RUN(check_point_light(0, 4));
     RUN(check_point_light(1, 4));

@@ -433,9 +433,9 @@ static void append_pixel(const reference_tile *tile, const burnish_raster_view *
     }
 }
 
-static int reference_next_fragments(reference_tile *tile, const burnish_raster_view *view,
-                                    const burnish_geometry *geometry,
-                                    burnish_fragments *fragments) {
+static inline int reference_next_fragments(reference_tile *tile, const burnish_raster_view *view,
+                                           const burnish_geometry *geometry,
+                                           burnish_fragments *fragments) {
     fragments->count = 0;
     while (tile->next_place < BURNISH_TILE_PIXELS &&
            fragments->count + tile->samples <= BURNISH_FRAGMENT_BATCH) {
