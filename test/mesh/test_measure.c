@@ -143,24 +143,6 @@ static void test_builtin(void) {
           "%zu shells, %zu open", f.shell_count, f.open_edge_count);
 }
 
-/* The polyhedron that the torus is: flat trapezoids between circles of 8 n, and polygons of 4 n. */
-static void test_torus(void) {
-    enum { N = 8, NI = 8 * N, NJ = 4 * N };
-    const burnish_mesh_facts f = facts_of(":torus", N);
-    const double half = TEST_PI / NI;
-    double area = 0;
-    for (int j = 0; j < NJ; ++j) {
-        const double a = 2 * TEST_PI * j / NJ, b = 2 * TEST_PI * (j + 1) / NJ;
-        const double inner = 1 + 0.4 * cos(a), outer = 1 + 0.4 * cos(b);
-        area += NI * (inner + outer) * sin(half) *
-                hypot((outer - inner) * cos(half), 0.4 * (sin(b) - sin(a)));
-    }
-    const double section = NJ * 0.16 / 2 * sin(2 * TEST_PI / NJ);
-    check_near("the torus' area", f.area / area, 1, 1e-7);
-    check_near("the torus' volume", f.volume / (NI * sin(2 * half) * section), 1, 1e-7);
-    CHECK1(f.vertex_count == NI * NJ && f.edge_count == 3 * NI * NJ);
-}
-
 /* All digits: sums of the same triangles in long double, from the origin. */
 static void check_sums(const char *name) {
     OWNED_MESH *mesh = load(name, 16, 1);
@@ -221,7 +203,6 @@ int main(int count, char **arguments) {
     RUN(test_flipped());
     RUN(test_normals());
     RUN(test_builtin());
-    RUN(test_torus());
     RUN(check_sums(":sphere"));
     RUN(check_sums(":torus"));
     RUN(check_sums(":knot"));

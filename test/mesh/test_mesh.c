@@ -97,41 +97,6 @@ static void test_cube(void) {
     }
 }
 
-enum { SIDES = 24 };
-
-/* A cylinder of radius 1 around z: 15 degrees between sides, 90 to the caps. */
-static void test_cylinder(void) {
-    float positions[(2 * SIDES + 2) * 3];
-    uint32_t indices[12 * SIDES], *t = indices;
-    for (uint32_t i = 0; i < SIDES; ++i) {
-        double angle = 2 * acos(-1.0) * i / SIDES;
-        for (uint32_t k = 0; k < 2; ++k) {
-            float *p = positions + 3 * (2 * i + k);
-            p[0] = (float)cos(angle);
-            p[1] = (float)sin(angle);
-            p[2] = k ? 1.0f : -1.0f;
-        }
-        uint32_t a = 2 * i, b = 2 * ((i + 1) % SIDES);
-        uint32_t faces[12] = {a, b,         b + 1, a,     b + 1, a + 1,
-                              a, 2 * SIDES, b,     a + 1, b + 1, 2 * SIDES + 1};
-        memcpy(t, faces, sizeof faces);
-        t += 12;
-    }
-    memcpy(positions + 3 * 2 * SIDES, (float[]){0, 0, -1, 0, 0, 1}, 6 * sizeof(float));
-    OWNED_MESH *mesh = plain(positions, 2 * SIDES + 2, indices, 4 * SIDES, 40);
-    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
-    CHECK(view->vertex_count == 4 * SIDES + 2, "%zu", view->vertex_count);
-    for (size_t i = 0; i < 4 * SIDES; ++i) {
-        for (size_t k = 0; k < 3; ++k) {
-            uint32_t v = view->indices[3 * i + k];
-            const float *p = view->positions + 3 * v, *n = view->normals + 3 * v;
-            CHECK((i % 4 < 2 ? near(n, (double)p[0], (double)p[1], 0, 1e-6)
-                             : near(n, 0, 0, (double)p[2], 0)),
-                  "triangle %zu: %g %g %g", i, (double)n[0], (double)n[1], (double)n[2]);
-        }
-    }
-}
-
 /* A cone of 200,000 sides: the hub's faces are joined in a ring. Then as many faces on one edge. */
 static void test_large_fan(void) {
     const uint32_t count = 200000;
@@ -316,22 +281,6 @@ static void test_named_vertices(void) {
     }
 }
 
-static void test_colors(void) {
-    /* Two triangles that meet in two positions, given twice: once in the same colour. */
-    const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
-    const uint8_t colors[] = {1, 2, 3, 255, 5, 6, 7, 255, 9, 9, 9,   255,
-                              5, 6, 7, 255, 8, 8, 8, 255, 9, 9, 200, 255};
-    const uint32_t indices[] = {0, 1, 2, 3, 4, 5};
-    OWNED_MESH *mesh = create(describe_arrays(positions, NULL, colors, 6, indices, 2), 40);
-    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
-    CHECK(view->vertex_count == 5, "%zu", view->vertex_count);
-    for (int i = 0; i < 6; ++i) {
-        CHECK(memcmp(view->colors + 4 * view->indices[i], colors + 4 * i, 4) == 0, "corner %d", i);
-        CHECK(memcmp(view->positions + 3 * view->indices[i], positions + 3 * i, 12) == 0,
-              "corner %d", i);
-    }
-}
-
 /* Sets of a few faces and of any number are the same. */
 static int joins_the_same(burnish_rings *rings, size_t faces, int *crowded) {
     uint32_t sets[BURNISH_SETS_MAX], seen = 0;
@@ -458,7 +407,6 @@ static void test_wide_fans(void) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_cube());
-    RUN(test_cylinder());
     RUN(test_large_fan());
     RUN(test_wide_fans());
     RUN(test_double_sided());
@@ -467,6 +415,5 @@ int main(int count, char **arguments) {
     RUN(test_given_normals());
     RUN(test_many_normals());
     RUN(test_named_vertices());
-    RUN(test_colors());
     return test_end("mesh");
 }

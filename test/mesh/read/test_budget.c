@@ -98,6 +98,11 @@ static void test_solids(void) {
               triangles > 2000000,
           "%zu triangles, %s", triangles, error.text);
     free(list.bytes);
+    list = make_shared(4, POINTS, 10);
+    options.max_triangles = 1000;
+    CHECK1(load(&list, "a.glb", options, &most, &triangles, &error) == BURNISH_STATUS_LIMIT);
+    CHECK_TEXT(error.text, "a.glb: more than 1000 triangles; raise the limit or simplify the mesh");
+    free(list.bytes);
 }
 
 /* A face or strip of so many corners is rejected while its corners are counted. */

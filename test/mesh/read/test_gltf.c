@@ -378,18 +378,6 @@ static burnish_status read_many(int threads, burnish_mesh_data *s, burnish_error
                    s, e);
 }
 
-static int are_same(const burnish_mesh_data *a, const burnish_mesh_data *b) {
-    const size_t vertices = a->streams[BURNISH_POSITION].count;
-    return vertices == MANY && b->streams[BURNISH_POSITION].count == MANY &&
-           a->triangle_count == b->triangle_count &&
-           memcmp(burnish_positions(a), burnish_positions(b), 12 * vertices) == 0 &&
-           memcmp(burnish_normals(a), burnish_normals(b), 12 * vertices) == 0 &&
-           memcmp(a->streams[BURNISH_TEXCOORD].items, b->streams[BURNISH_TEXCOORD].items,
-                  8 * vertices) == 0 &&
-           memcmp(a->streams[BURNISH_POSITION].corners, b->streams[BURNISH_POSITION].corners,
-                  12 * a->triangle_count) == 0;
-}
-
 /* Several threads convert vertices. The first fault of the file is reported, whichever thread finds
  * it. */
 static void test_threads(void) {
@@ -431,7 +419,10 @@ static void test_threads(void) {
             CHECK(read_many(threads[t], &shared, &other) == status &&
                       strcmp(other.text, error.text) == 0,
                   "case %zu: %s", i, other.text);
-            CHECK(status != BURNISH_STATUS_OK || are_same(&alone, &shared), "case %zu", i);
+            if (status == BURNISH_STATUS_OK &&
+                CHECK1(alone.streams[BURNISH_POSITION].count == MANY)) {
+                compare_meshes("many", &alone, &shared);
+            }
             burnish_mesh_data_destroy(&shared);
         }
         burnish_mesh_data_destroy(&alone);

@@ -381,27 +381,6 @@ static void test_ply_face_coordinates(void) {
     }
 }
 
-static void test_files(void) {
-    burnish_mesh *scene = load_mesh(TEST_DATA_DIR "/cube.obj", NULL);
-    if (scene) {
-        CHECK1(burnish_mesh_get_view(scene)->triangle_count == 12);
-        CHECK1(burnish_mesh_get_material_count(scene) == 2 &&
-               burnish_mesh_get_warning_count(scene) == 0);
-        CHECK1(color_is(burnish_mesh_get_material(scene, 0)->diffuse, 0.8f, 0.2f, 0.1f));
-        CHECK1(burnish_mesh_get_info(scene)->format == BURNISH_FORMAT_OBJ);
-    }
-    burnish_mesh_destroy(scene);
-    scene = load_mesh(":sphere", NULL);
-    CHECK1(scene && burnish_mesh_get_info(scene)->format == BURNISH_FORMAT_BUILTIN);
-    burnish_mesh_destroy(scene);
-
-    byte_list list = {.size = 0};
-    put_ply(&list, 1);
-    scene = load_bytes(list.bytes, list.size, NULL, NULL);
-    CHECK1(scene && burnish_mesh_get_info(scene)->format == BURNISH_FORMAT_PLY);
-    burnish_mesh_destroy(scene);
-}
-
 /* Standard input through a pipe, in pieces that grow the buffer. */
 static void test_standard_input(void) {
     burnish_load_options options = burnish_load_options_default();
@@ -462,7 +441,6 @@ int main(int count, char **arguments) {
     RUN(test_numbers());
     RUN(test_guess());
     RUN(test_ply_face_coordinates());
-    RUN(test_files());
     RUN(test_standard_input());
     RUN(test_pipe_limit());
     return test_end("readers");
