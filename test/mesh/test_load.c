@@ -1,6 +1,5 @@
-/* Loading with options and a context: files that the input names come from the caller, allocations
- * fail, calls are cancelled, and the caller's floating-point environment has no effect. Large files
- * are read in pieces. */
+/* Loading with options and a context: allocations fail, calls are cancelled, and the caller's
+ * floating-point environment has no effect. Large files are read in pieces. */
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -38,14 +37,13 @@ enum { INPUTS = sizeof inputs / sizeof *inputs };
 /* ---- Files that the input names ---- */
 
 typedef struct library {
-    int loads, releases, refusals;
+    int loads, releases;
 } library;
 
 static burnish_status load_library(void *user_data, const char *name, uint64_t max_bytes,
                                    const void **bytes, size_t *size, burnish_error *error) {
     library *l = user_data;
     if (strcmp(name, "paint.mtl") != 0) {
-        ++l->refusals;
         error->status = BURNISH_STATUS_READ;
         snprintf(error->text, sizeof error->text, "%s: not in the box", name);
         return BURNISH_STATUS_READ;
@@ -77,27 +75,6 @@ static burnish_load_options options_of(library *box, const burnish_context *cont
     options.context = context;
     options.referenced_files = (burnish_file_loader){load_library, release_library, box};
     return options;
-}
-
-static void test_companions(void) {
-    library box;
-    const burnish_load_options options = options_of(&box, NULL);
-    burnish_mesh *mesh = NULL;
-    burnish_error error = {0};
-    if (CHECK_OK(load(0, &options, &mesh, &error), error)) {
-        const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
-        CHECK1(burnish_mesh_get_material(mesh, 0)->diffuse[0] == 1);
-        CHECK1(burnish_mesh_get_material(mesh, 0)->exponent == 30.3f);
-        CHECK1(view->triangle_count == 2 && view->texture_coordinates);
-        int named = 0;
-        for (size_t i = 0; i < burnish_mesh_get_warning_count(mesh); ++i) {
-            named += strstr(burnish_mesh_get_warning(mesh, i), "none.mtl") != NULL;
-        }
-        CHECK(named == 1, "%d warnings name none.mtl", named);
-    }
-    CHECK(box.loads == 1 && box.releases == 1 && box.refusals == 1, "%d %d %d", box.loads,
-          box.releases, box.refusals);
-    burnish_mesh_destroy(mesh);
 }
 
 /* ---- Contexts ---- */
@@ -155,34 +132,6 @@ static void test_environment(int input) {
         }
     }
     burnish_mesh_destroy(first);
-}
-
-/* Two triangles that meet at 50 degrees: an edge in any format, unless an angle is given. */
-static void test_crease_auto(void) {
-    static const char FOLD_OBJ[] =
-        "v 0 0 0\nv 0 0 1\nv 1 0 0\nv -0.642787 0.766044 0\nf 1 2 3\nf 2 1 4\n";
-    static const char FOLD_STL[] =
-        "solid\n"
-        "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 1 vertex 1 0 0 "
-        "endloop endfacet\n"
-        "facet normal 0 0 0 outer loop vertex 0 0 1 vertex 0 0 0 "
-        "vertex -0.642787 0.766044 0 endloop endfacet\nendsolid\n";
-    static const struct {
-        const char *text, *name;
-        double angle;
-        size_t vertices;
-    } cases[] = {{FOLD_OBJ, "a.obj", BURNISH_CREASE_AUTO, 6},
-                 {FOLD_STL, "a.stl", BURNISH_CREASE_AUTO, 6},
-                 {FOLD_OBJ, "a.obj", 51, 4},
-                 {FOLD_STL, "a.stl", 49, 6}};
-    for (int i = 0; i < 4; ++i) {
-        burnish_load_options options = burnish_load_options_default();
-        options.crease_angle = cases[i].angle;
-        OWNED_MESH *mesh =
-            load_bytes(cases[i].text, strlen(cases[i].text), cases[i].name, &options);
-        const size_t count = mesh ? burnish_mesh_get_view(mesh)->vertex_count : 0;
-        CHECK(count == cases[i].vertices, "case %d: %zu vertices", i, count);
-    }
 }
 
 /* A cube from -1 to 1 or an octahedron around it, whose file gives each vertex one normal, away from
@@ -355,9 +304,7 @@ static void test_descriptor(void) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     snprintf(path, sizeof path, TEST_BINARY_DIR "/load-%d.stl", (int)getpid());
-    RUN(test_companions());
     RUN(test_log());
-    RUN(test_crease_auto());
     RUN(test_normals_source());
     for (int i = 0; i < INPUTS; ++i) {
         RUN(test_stopped(i));
