@@ -101,14 +101,6 @@ def shared(mode, count, times):
                      accessors=[accessor(0, count)], **lists), data)
 
 
-def shared_strip(count, corners, times):
-    """Primitives that share one strip of random triangles."""
-    rng = random.Random(7)
-    data, lists = views(cloud(count), struct.pack("<%dH" % corners, *(rng.randrange(count) for _ in range(corners))))
-    return glb(scene(meshes=[{"primitives": [{"mode": 5, "attributes": {"POSITION": 0}, "indices": 1}] * times}],
-                     accessors=[accessor(0, count), accessor(1, corners, "SCALAR", 5123)], **lists), data)
-
-
 def grid(side):
     """A sheet of side * side quads with an index of 32 bits."""
     n = side + 1
@@ -177,17 +169,6 @@ def meshopt(count, times):
         "buffer": 0, "byteLength": len(packed), "byteStride": size, "count": count, "mode": "ATTRIBUTES"}}}] * times
     return glb(scene(meshes=[{"primitives": [{"attributes": {"POSITION": i}} for i in range(times)]}],
                      accessors=[accessor(i, count) for i in range(times)], extensionsUsed=["EXT_meshopt_compression"], **lists), data)
-
-
-def self_named(count, name="self-%d.gltf", alias=""):
-    """Buffers that are the file itself."""
-    name = name % count
-    text = json.dumps(scene(
-        meshes=[{"primitives": [{"attributes": {"POSITION": i}} for i in range(count)]}],
-        buffers=[{"byteLength": 36, "uri": alias * (i % 50) + name} for i in range(count)],
-        bufferViews=[{"buffer": i, "byteLength": 36} for i in range(count)],
-        accessors=[accessor(i, 3) for i in range(count)]), separators=(",", ":"))
-    return {name: (text + " " * (1000000 - len(text))).encode()}
 
 
 def in_base64(count):
@@ -376,8 +357,6 @@ FILES = {
     "points-30000x12.glb": (lambda: shared(0, 30000, 12), "", 0),
     "lines-30000x7.glb": (lambda: shared(3, 30000, 7), "", 5),
     "triangles-30000x130.glb": (lambda: shared(4, 30000, 130), "", 5),
-    "strip-200x10.glb": (lambda: shared_strip(200, 450000, 10), "", 5),
-    "strip-16000x3.glb": (lambda: shared_strip(16000, 390000, 3), "", 5),
     "forest-3400000.glb": (lambda: forest(64, 20), "", 0),
     "forest-13000000.glb": (lambda: forest(64, 40), "", 5),
     "instanced-1000000.glb": (lambda: instanced(1000000), "", 5),
@@ -389,8 +368,6 @@ FILES = {
     "sparse-more.glb": (lambda: sparse(2000000, 20), "", 5),
     "meshopt.glb": (lambda: meshopt(900000, 5), "", 5),
     "meshopt-more.glb": (lambda: meshopt(2500000, 8), "", 5),
-    "self-3000.gltf": (lambda: self_named(3000), "", 5),
-    "self-2500.gltf": (lambda: self_named(2500, alias="./"), "", 5),
     "base64-4000.gltf": (lambda: in_base64(4000), "--max-overdraw=2000", 0),
     "materials-65000.glb": (lambda: listed(materials=[{}] * 65000), "", 0),
     "materials-300000.glb": (lambda: listed(materials=[{}] * 300000), "", 5),
