@@ -25,6 +25,7 @@
 #include "mesh/read/io/streaming.h"
 #include "mesh/read/io/thinning.h"
 #include "mesh_arrays.h"
+#include "zip_input.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -126,81 +127,18 @@ static void place_file(int descriptor, const uint8_t *bytes, size_t size) {
     close(file);
 }
 
-/* ---- 3MF ---- */
-
-static void put(uint8_t **to, uint64_t bits, size_t size) {
-    for (size_t i = 0; i < size; ++i, bits >>= 8) {
-        *(*to)++ = (uint8_t)bits;
-    }
-}
-
-static uint32_t crc32_of(const uint8_t *bytes, size_t size) {
-    uint32_t crc = UINT32_MAX;
-    for (size_t i = 0; i < size; ++i) {
-        crc ^= bytes[i];
-        for (int k = 0; k < 8; ++k) {
-            crc = crc >> 1 ^ (crc & 1 ? 0xEDB88320u : 0);
-        }
-    }
-    return ~crc;
-}
-
-/* One of the headers of a stored part, or both. */
-static void put_header(uint8_t **to, const char *name, const uint8_t *bytes, size_t size,
-                       uint64_t at, int is_entry) {
-    put(to, is_entry ? 0x02014b50 : 0x04034b50, 4);
-    put(to, 20, is_entry ? 4 : 2);
-    put(to, 0, 8); /* flags, stored, time */
-    put(to, crc32_of(bytes, size), 4);
-    put(to, size, 4);
-    put(to, size, 4);
-    put(to, strlen(name), 4);
-    if (is_entry) {
-        put(to, 0, 8);
-        put(to, 0, 2);
-        put(to, at, 4);
-    }
-    memcpy(*to, name, strlen(name));
-    *to += strlen(name);
-}
-
-/* An archive of a model and the part "b"; to: room for `size` + 400 bytes. Returns its size. */
-static size_t wrap_model(const uint8_t *bytes, size_t size, uint8_t *to) {
-    static const char *const names[2] = {"3D/3dmodel.model", "b"};
-    const uint8_t *end = memchr(bytes, 0, size), *start = to;
-    const size_t first = end ? (size_t)(end - bytes) : size, second = end ? size - first - 1 : 0;
-    const uint8_t *const parts[2] = {bytes, bytes + size - second};
-    const size_t sizes[2] = {first, second};
-    size_t at[2];
-    for (int i = 0; i < 2; ++i) {
-        at[i] = (size_t)(to - start);
-        put_header(&to, names[i], parts[i], sizes[i], 0, 0);
-        memcpy(to, parts[i], sizes[i]);
-        to += sizes[i];
-    }
-    const size_t directory = (size_t)(to - start);
-    for (int i = 0; i < 2; ++i) {
-        put_header(&to, names[i], parts[i], sizes[i], at[i], 1);
-    }
-    const size_t length = (size_t)(to - start) - directory;
-    put(&to, 0x06054b50, 8);
-    put(&to, 2 | 2 << 16, 4);
-    put(&to, length, 4);
-    put(&to, directory, 4);
-    put(&to, 0, 2);
-    return (size_t)(to - start);
-}
-
+/* An archive of a model and the part "b". */
 static burnish_status load_model(const uint8_t *bytes, size_t size,
                                  const burnish_load_options *options, burnish_mesh **scene,
                                  burnish_error *error) {
-    uint8_t *wrapped = malloc(size + 400);
-    require(wrapped != NULL, "memory", NULL);
-    const size_t wrapped_size = wrap_model(bytes, size, wrapped);
-    burnish_status status =
-        burnish_mesh_load_memory(wrapped, wrapped_size, "fuzz", options, scene, error);
-    free(wrapped);
-    return status;
+    static zip_list zip;
+    const uint8_t *end = memchr(bytes, 0, size);
+    const size_t first = end ? (size_t)(end - bytes) : size, second = end ? size - first - 1 : 0;
+    zip.size = zip.directory_size = zip.count = 0;
+    put_part(&zip, "3D/3dmodel.model", bytes, first, 0);
+    put_part(&zip, "b", bytes + size - second, second, 0);
+    end_zip(&zip, 0);
+    return burnish_mesh_load_memory(zip.bytes, zip.size, "fuzz", options, scene, error);
 }
 
 static burnish_status load(const uint8_t *bytes, size_t size, int from_file,
