@@ -82,12 +82,5 @@ sed 's/burnish 0.1 /burnish 0.2 /' "$scratch/project/CMakeLists.txt" >"$scratch/
 mv "$scratch/project/later" "$scratch/project/CMakeLists.txt"
 cmake -S "$scratch/project" -B "$scratch/project/later" -DCMAKE_PREFIX_PATH="$scratch/moved" >/dev/null 2>&1 && fail "version 0.2 was found"
 
-# the page's lines are the example's
-sed -n '/^```c$/,/^```$/p' "$source/docs/api.md" | awk '/^```c$/ {block = ""; next} /^```$/ {if (block ~ /burnish_mesh_load/) printf "%s", block; next} {block = block $0 "\n"}' >"$scratch/page.txt"
-[ -s "$scratch/page.txt" ] || fail "docs/api.md has no example that loads a mesh"
-while read -r line; do
-    [ -z "$line" ] || grep -qF -- "$line" "$source/docs/examples/picture.c" || fail "docs/api.md: not in docs/examples/picture.c: $line"
-done <"$scratch/page.txt"
-
 echo "install: $checks pictures, $failures failed"
 [ "$checks" -eq 8 ] && [ "$failures" -eq 0 ]
