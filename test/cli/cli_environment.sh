@@ -17,9 +17,6 @@ sky=$(hash --environment=sky)
 differs "room and the default" "$room" "$(hash)"
 differs "room and sky" "$room" "$sky"
 same "threads" "$(hash --environment=sky --threads=3)" "$sky"
-for isa in $(instruction_sets); do
-    same "$isa" "$(hash --environment=room --isa=$isa)" "$room"
-done
 differs "the turn" "$(hash --environment=sky --environment-turn=90)" "$sky"
 same "a whole turn" "$(hash --environment=sky --environment-turn=360)" "$sky"
 differs "the strength" "$(hash --environment=sky --environment-strength=0.5)" "$sky"

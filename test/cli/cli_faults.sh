@@ -32,23 +32,32 @@ wait $changer
 rm -f moving.obj
 check "a file that shrinks: exit codes$codes" [ -z "$(echo "$codes" | tr -d ' 034')" ]
 
-# Signals in the middle, for a new file and an old one: as the signal would have ended it.
+# Signals in the middle, for a new file and an old one: as the signal would have ended it, and no temporary file is left, also if the
+# file system does not support unnamed files, which a failing access() simulates.
+printf 'int access(const char *path, int mode);\nint access(const char *path, int mode) { (void)path, (void)mode; return -1; }\n' >../access.c
+preload=
+${CC:-cc} -shared -fPIC -o ../access.so ../access.c 2>/dev/null && LD_PRELOAD=../access.so "$burnish" --version >/dev/null 2>&1 &&
+    preload=$(realpath ../access.so)
+has_temporary() { ls -A | grep -q '^[.]'; }
 if ! env --default-signal=INT true 2>/dev/null; then
     skip "signals, env has no --default-signal"
 else
-    echo old >old.png
+    echo old >old.gif
     for name in INT TERM HUP; do
-        for file in new.png old.png; do
-            env --default-signal=$name "$burnish" render :knot --size=8000 --samples=16 -o $file 2>/dev/null &
-            await computes $!
-            kill -$name $!
-            wait $! 2>/dev/null
-            code=$?
-            check "SIG$name: exit code $code" [ $code = $((128 + $(kill -l $name 2>/dev/null || case $name in INT) echo 2 ;; HUP) echo 1 ;; *) echo 15 ;; esac))) ]
+        for file in new.gif old.gif; do
+            for before in '' $preload; do
+                env --default-signal=$name LD_PRELOAD="$before" "$burnish" render :sphere --size=800 --frames=2000 --turntable=$file 2>/dev/null &
+                await computes $!
+                [ -z "$before" ] || check "no temporary to leave" await has_temporary
+                kill -$name $!
+                wait $! 2>/dev/null
+                code=$?
+                check "SIG$name: exit code $code" [ $code = $((128 + $(kill -l $name 2>/dev/null || case $name in INT) echo 2 ;; HUP) echo 1 ;; *) echo 15 ;; esac))) ]
+            done
         done
-        check "SIG$name: $(ls -A)" [ "$(ls -A)" = old.png -a "$(cat old.png)" = old ]
+        check "SIG$name: $(ls -A)" [ "$(ls -A)" = old.gif -a "$(cat old.gif)" = old ]
     done
-    rm -f old.png
+    rm -f old.gif
 fi
 
 # A full file system, and a file that is a mount point, if this user can mount.

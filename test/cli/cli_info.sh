@@ -205,12 +205,6 @@ run info ../broken.stl
 check "a broken file: one line" [ "$(wc -l <"$err")" = 1 ]
 rm ../broken.stl
 gives 5 info :sphere --max-triangles=3  # too many triangles
-if sh -c "ulimit -v 60000; '$burnish' --version" >/dev/null 2>&1; then # not with the sanitizers
-    sh -c "ulimit -v 60000; '$burnish' info :sphere --tessellation=256 --threads=1" >/dev/null 2>"$err"
-    code=$?
-    check "out of memory: exit code $code" [ "$code" = 6 ]
-    check "out of memory: one line" [ "$(wc -l <"$err")" = 1 ]
-fi
 expect 7 "burnish: none/r.json: can't be written: No such file or directory; create the folder first" info :torus --json=none/r.json
 "$burnish" info :sphere >/dev/full 2>"$err"
 check "a full device: 7" [ $? = 7 ]
