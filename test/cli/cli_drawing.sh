@@ -251,8 +251,6 @@ rm camera.gltf with.gif without.gif
 # Names of outputs among inputs, and of formats elsewhere.
 expect 2 'burnish: render: "out.png" is an image, not a mesh; for several pictures, name a folder with -d' \
     render :sphere :torus out.png
-expect 2 'burnish: --output: "a.gif": only a turntable moves; write one with --turntable=FILE, in WebP, GIF, MP4 or WebM' \
-    render :sphere -o a.gif
 expect 2 'burnish: --output: "a.mp4": only a turntable moves; write one with --turntable=FILE, in WebP, GIF, MP4 or WebM' \
     render :sphere -o a.mp4
 expect 2 'burnish: render: "a.png" is an image, not a mesh; for several pictures, name a folder with -d' a.png :sphere

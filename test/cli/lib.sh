@@ -20,10 +20,3 @@ block() {
 
 # sheets: an OBJ file of many triangles one behind another, which takes long.
 sheets() { awk 'BEGIN { for (i = 0; i < 9000; ++i) { z = i / 9000; print "v 0 0 " z "\nv 1 0 " z "\nv 0 1 " z "\nf -3 -2 -1" } }'; }
-
-# The instruction sets that this build has and this processor runs.
-instruction_sets() {
-    for isa in scalar sse2 avx2 avx512 neon; do
-        "$burnish" render :sphere --size=16 --isa=$isa -o - >/dev/null 2>&1 && echo $isa
-    done
-}
