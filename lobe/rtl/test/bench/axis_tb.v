@@ -9,8 +9,10 @@ module axis_tb;
     parameter UNIT = 1;
     parameter SQUARINGS = 1;
     parameter RESULT = 16;
+    parameter ROUND = 0;
     parameter LAMBDA = 0;
     parameter ROWS = 1;
+    parameter SEGMENT = 0;
     parameter DSP = 0;
     parameter OUTPUT = 0;
     parameter COUNT = 100;
@@ -27,8 +29,8 @@ module axis_tb;
     reg [IN-1:0] fill = 0;
     wire [IN-1:0] s_data = vectors[sent % COUNT][16+:IN] | (fill >> USED << USED);
 
-    burnish_axis #(.UNIT(UNIT), .SQUARINGS(SQUARINGS), .RESULT(RESULT), .LAMBDA(LAMBDA), .ROWS(ROWS), .DSP(DSP),
-        .OUTPUT(OUTPUT), .USER_WIDTH(8)) unit (
+    burnish_axis #(.UNIT(UNIT), .SQUARINGS(SQUARINGS), .RESULT(RESULT), .ROUND(ROUND), .LAMBDA(LAMBDA), .ROWS(ROWS),
+        .SEGMENT(SEGMENT), .DSP(DSP), .OUTPUT(OUTPUT), .USER_WIDTH(8)) unit (
         .aclk(clk), .aresetn(aresetn), .s_axis_tvalid(s_valid), .s_axis_tready(s_ready), .s_axis_tdata(s_data),
         .s_axis_tlast(sent % 7 == 6), .s_axis_tuser(sent[7:0]), .m_axis_tvalid(m_valid), .m_axis_tready(m_ready),
         .m_axis_tdata(m_data), .m_axis_tlast(m_last), .m_axis_tuser(m_user));
@@ -76,12 +78,16 @@ module axis_tb;
                 if (sent != until) begin
                     if (!(s_valid && aresetn && !passed)) s_valid = ($random & 7) < valid;
                     m_ready = ($random & 7) < ready;
+                    was_ready = s_ready;
+                    m_ready = !m_ready;
+                    #1 if (s_ready !== was_ready) fail("s_ready follows m_ready");
+                    m_ready = !m_ready;
                 end
             end
             s_valid = 0;
         end
     endtask
-    reg passed = 0;
+    reg passed = 0, was_ready = 0;
     always @(posedge clk) passed <= s_valid && s_ready;
 
     task drain;
