@@ -98,33 +98,17 @@ typedef struct contents {
     lobe_exponents exponents;
     int64_t *words;
     int consecutive; /* 1: exponents are consecutive integers */
-    char lobe[LOBE_NAME], format[16], bits[CLI_REAL_SIZE];
+    int width;       /* of a word, in bits */
+    const char *stored, *rounding;
+    char lobe[LOBE_NAME], format[16], level[CLI_REAL_SIZE + 4];
 } contents;
 
-static const char *what_is_stored(const contents *c) {
-    return c->memory.lambda ? "value of 1 - cosine" : "cosine";
-}
-
-static const char *rounding_name(const contents *c) {
-    return rounding_words[c->memory.rounding].name;
-}
-
-/* The threshold as text. */
-static void level_text(const contents *c, char *text, size_t size) {
-    if (c->memory.bits == 0) {
-        snprintf(text, size, "zero");
-    } else {
-        snprintf(text, size, "2^-%s", c->bits);
-    }
-}
-
 static uint64_t word_bits(const contents *c, size_t i) {
-    int width = burnish_theory_format_width(&c->memory.format);
-    return (uint64_t)c->words[i] & ((UINT64_C(1) << width) - 1);
+    return (uint64_t)c->words[i] & ((UINT64_C(1) << c->width) - 1);
 }
 
 static int word_digits(const contents *c) {
-    return (burnish_theory_format_width(&c->memory.format) + 3) / 4;
+    return (c->width + 3) / 4;
 }
 
 /* ---- C ---- */
@@ -133,8 +117,7 @@ static int word_digits(const contents *c) {
 enum { PROGMEM_BYTES_MAX = 32767 };
 
 static int word_storage(const contents *c) {
-    const int width = burnish_theory_format_width(&c->memory.format);
-    return width <= 8 ? 8 : width <= 16 ? 16 : 32;
+    return c->width <= 8 ? 8 : c->width <= 16 ? 16 : 32;
 }
 
 /* Begins an array of c->exponents.count numbers; `suffix` is appended to its name. */
@@ -173,15 +156,13 @@ static void print_exponent_array(FILE *stream, const contents *c) {
 
 static void print_c(FILE *stream, const contents *c) {
     const int storage = word_storage(c);
-    char level[64], type[16];
-    level_text(c, level, sizeof level);
+    char type[16];
     snprintf(type, sizeof type, "%sint%d_t", c->memory.format.is_signed ? "" : "u", storage);
     fprintf(stream,
             "/* Boundary memory of the lobe %s: the %s at which it has fallen to %s.\n"
             " * Words are %s, %d bits, rounded %s: 1 is %" PRIu64 ".%s\n"
             " * Written by burnish %s: burnish-lobe boundary. */\n#include <stdint.h>\n%s\n",
-            c->lobe, what_is_stored(c), level, c->format,
-            burnish_theory_format_width(&c->memory.format), rounding_name(c),
+            c->lobe, c->stored, c->level, c->format, c->width, c->rounding,
             UINT64_C(1) << c->memory.format.fraction_bits,
             c->memory.format.integer_bits == 0 ? " It does not fit and is one less." : "",
             burnish_version(),
@@ -209,14 +190,11 @@ static void print_c(FILE *stream, const contents *c) {
 /* ---- Verilog, CSV ---- */
 
 static void print_mem(FILE *stream, const contents *c) {
-    char level[64];
-    level_text(c, level, sizeof level);
     fprintf(stream,
             "// Boundary memory of the lobe %s: the %s at which it has fallen to %s.\n"
             "// %zu words of %d bits, %s, rounded %s. For $readmemh.\n"
             "// Written by burnish %s: burnish-lobe boundary.\n@0\n",
-            c->lobe, what_is_stored(c), level, c->exponents.count,
-            burnish_theory_format_width(&c->memory.format), c->format, rounding_name(c),
+            c->lobe, c->stored, c->level, c->exponents.count, c->width, c->format, c->rounding,
             burnish_version());
     for (size_t i = 0; i < c->exponents.count; ++i) {
         char number[CLI_REAL_SIZE];
@@ -320,6 +298,7 @@ static burnish_status check_size(const contents *c, burnish_error *error) {
 static burnish_status fill(contents *c, burnish_error *error) {
     const boundary_settings *s = c->settings;
     burnish_error reason;
+    char bits[CLI_REAL_SIZE];
     burnish_status status = check_name(s->name, error);
     if (status == BURNISH_STATUS_OK) {
         status = read_model(s->lobe, c, error);
@@ -340,7 +319,11 @@ static burnish_status fill(contents *c, burnish_error *error) {
                          : s->lambda     ? BURNISH_THEORY_UP
                                          : BURNISH_THEORY_DOWN;
     burnish_theory_format_name(&c->memory.format, c->format, sizeof c->format);
-    cli_shortest(c->memory.bits, c->bits);
+    snprintf(c->level, sizeof c->level, "%s%s", s->bits.value == 0 ? "zero" : "2^-",
+             s->bits.value == 0 ? "" : cli_shortest(s->bits.value, bits));
+    c->width = burnish_theory_format_width(&c->memory.format);
+    c->stored = s->lambda ? "value of 1 - cosine" : "cosine";
+    c->rounding = rounding_words[c->memory.rounding].name;
     c->consecutive = c->exponents.items[0] == floor(c->exponents.items[0]);
     for (size_t i = 1; i < c->exponents.count; ++i) {
         c->consecutive = c->consecutive && c->exponents.items[i] == c->exponents.items[i - 1] + 1;
