@@ -7,6 +7,7 @@
 #include <signal.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -88,6 +89,20 @@ int cli_program_folder(char *folder, size_t size) {
     char *slash = strrchr(folder, '/');
     *(slash ? slash : folder) = 0;
     return 1;
+}
+
+int cli_find_program(const char *name, char path[CLI_PATH_SIZE]) {
+    const char *found = getenv("PATH"), *folder = found ? found : "/usr/local/bin:/usr/bin:/bin";
+    while (*folder) {
+        const int length = (int)strcspn(folder, ":");
+        if (*folder == '/' &&
+            snprintf(path, CLI_PATH_SIZE, "%.*s/%s", length, folder, name) < CLI_PATH_SIZE &&
+            access(path, X_OK) == 0) {
+            return 1;
+        }
+        folder += length + (folder[length] == ':');
+    }
+    return 0;
 }
 
 int cli_write_all(int descriptor, const void *bytes, size_t size) {

@@ -12,10 +12,9 @@ enum { CLI_KEPT_MAX = 8 };
 
 /* What a child keeps. */
 typedef struct cli_plan {
-    int kept
-        [CLI_KEPT_MAX]; /* descriptor i of the child is kept[i] of the parent, or one of these */
-    int count;          /* of them; all others are closed; 0: all descriptors stay open */
-    int ended_by;       /* the signal that ends it when its parent ends */
+    int kept[CLI_KEPT_MAX]; /* what become its descriptors 0, 1, ...: the parent's, or these two */
+    int count;              /* of them; all others are closed; 0: all descriptors stay open */
+    int ended_by;           /* the signal that ends it when its parent ends */
 } cli_plan;
 
 /* As fork, which returns twice: in the child with 0 and the descriptors of the plan. What the parent has
@@ -31,6 +30,11 @@ int cli_channel(int ends[2]);
 /* In the child: the signals that programs handle have their default effects again, and the program at
  * `path` takes its place. */
 __attribute__((noreturn)) void cli_execute(const char *path, const char *const *arguments);
+
+/* Finds an installed program in PATH. Relative folders are skipped: they could belong to the input.
+ * Returns 1, or 0 if there is none. */
+enum { CLI_PATH_SIZE = 4096 };
+int cli_find_program(const char *name, char path[CLI_PATH_SIZE]);
 
 /* The folder of this program's file, or 0 if it is unknown or longer than that. */
 int cli_program_folder(char *folder, size_t size);

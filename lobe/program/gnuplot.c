@@ -7,11 +7,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #ifndef _WIN32
-#include <spawn.h>
+#include <signal.h>
 #include <sys/wait.h>
 #endif
 
 #include "base/cli/output.h"
+#include "base/cli/process.h"
 #include "program/figures.h"
 
 /* Inks on light and on dark pages: text, axis, grid, paper, cos^n; seven hues for lobes; eight steps for
@@ -142,21 +143,25 @@ static burnish_status fail_run(burnish_error *error, int code) {
     return cli_fail(error, BURNISH_STATUS_WRITE, "gnuplot: can't be started: %s", strerror(code));
 }
 
+#ifdef _WIN32
+/* Not supported here: behaves as if gnuplot were not installed. */
+static burnish_status run_gnuplot(FILE *streams[3], int *code, burnish_error *error) {
+    (void)streams, (void)code;
+    return fail_run(error, ENOENT);
+}
+#else
 /* Finds figures.gp: BURNISH_FIGURES, or the installed file, or the one in the program's own folder, as
  * in a build. */
-static int find_figures(char *path, size_t size) {
+static int find_figures(char path[CLI_PATH_SIZE]) {
     static const char *const places[] = {"/" BURNISH_FIGURES_FOLDER, ""};
     const char *given = getenv("BURNISH_FIGURES");
-    char folder[4000];
+    char folder[CLI_PATH_SIZE];
     if (given && *given) {
-        return snprintf(path, size, "%s", given) < (int)size;
+        return snprintf(path, CLI_PATH_SIZE, "%s", given) < CLI_PATH_SIZE;
     }
-    const ssize_t length = readlink("/proc/self/exe", folder, sizeof folder - 1);
-    folder[length > 0 ? length : 0] = 0;
-    char *slash = strrchr(folder, '/');
-    for (size_t i = 0; slash && i < sizeof places / sizeof *places; ++i) {
-        *slash = 0;
-        if (snprintf(path, size, "%s%s/figures.gp", folder, places[i]) < (int)size &&
+    const int is_known = cli_program_folder(folder, sizeof folder);
+    for (size_t i = 0; is_known && i < sizeof places / sizeof *places; ++i) {
+        if (snprintf(path, CLI_PATH_SIZE, "%s%s/figures.gp", folder, places[i]) < CLI_PATH_SIZE &&
             access(path, R_OK) == 0) {
             return 1;
         }
@@ -164,53 +169,38 @@ static int find_figures(char *path, size_t size) {
     return 0;
 }
 
-#ifdef _WIN32
-/* Not supported here: behaves as if gnuplot were not installed. */
-static int spawn_gnuplot(char *figures, FILE *streams[3], pid_t *child) {
-    (void)figures, (void)streams, (void)child;
-    return ENOENT;
-}
-
-static int wait_for(pid_t child) {
-    (void)child;
-    return -1;
-}
-#else
-/* Starts gnuplot with files as its three standard streams. The environment is minimal:
- * no locale, start-up file or user default can change the output. */
-static int spawn_gnuplot(char *figures, FILE *streams[3], pid_t *child) {
-    char path[4096] = "PATH=";
+/* Runs gnuplot with files as its three standard streams. The environment is minimal: no locale,
+ * start-up file or user default can change the output. *code is the exit code; -1: ended otherwise. */
+static burnish_status run_gnuplot(FILE *streams[3], int *code, burnish_error *error) {
+    char program[CLI_PATH_SIZE], figures[CLI_PATH_SIZE], path[CLI_PATH_SIZE];
     char locale[] = "LC_ALL=C";
-    char *environment[] = {path, locale, NULL};
-    char name[] = "gnuplot", defaults[] = "--default-settings", with[] = "-c",
-         from[] = "/dev/stdin";
-    char *arguments[] = {name, defaults, with, figures, from, NULL};
+    char *minimal[] = {path, locale, NULL};
+    const char *const arguments[] = {"gnuplot", "--default-settings", "-c",
+                                     figures,   "/dev/stdin",         NULL};
+    if (!find_figures(figures)) {
+        return cli_fail(
+            error, BURNISH_STATUS_WRITE,
+            "figures.gp: not found beside the program; name the file in BURNISH_FIGURES");
+    }
+    if (!cli_find_program(arguments[0], program)) {
+        return fail_run(error, ENOENT);
+    }
     const char *search = getenv("PATH");
-    snprintf(path, sizeof path, "PATH=%s", search ? search : "/usr/local/bin:/usr/bin:/bin");
-    posix_spawn_file_actions_t actions;
-    int code = posix_spawn_file_actions_init(&actions);
-    if (code != 0) {
-        return code;
+    snprintf(path, sizeof path, "PATH=%s", search ? search : "");
+    const pid_t child =
+        cli_fork(&(cli_plan){.kept = {fileno(streams[0]), fileno(streams[1]), fileno(streams[2])},
+                             .count = 3,
+                             .ended_by = SIGKILL});
+    if (child == 0) {
+        environ = minimal;
+        cli_execute(program, arguments);
     }
-    for (int i = 0; i < 3 && code == 0; ++i) {
-        code = posix_spawn_file_actions_adddup2(&actions, fileno(streams[i]), i);
+    if (child < 0) {
+        return fail_run(error, errno);
     }
-    if (code == 0) {
-        code = posix_spawnp(child, "gnuplot", &actions, NULL, arguments, environment);
-    }
-    posix_spawn_file_actions_destroy(&actions);
-    return code;
-}
-
-/* Waits for gnuplot. Returns its exit code, or -1. */
-static int wait_for(pid_t child) {
-    int status;
-    while (waitpid(child, &status, 0) < 0) {
-        if (errno != EINTR) {
-            return -1;
-        }
-    }
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    const int state = cli_wait(child);
+    *code = WIFEXITED(state) ? WEXITSTATUS(state) : -1;
+    return BURNISH_STATUS_OK;
 }
 #endif
 
@@ -248,20 +238,10 @@ static burnish_status fail_gnuplot(FILE *complaints, burnish_error *error) {
 }
 
 static burnish_status run(FILE *streams[3], char **drawing, size_t *size, burnish_error *error) {
-    pid_t child;
-    char figures[4096];
-    if (!find_figures(figures, sizeof figures)) {
-        return cli_fail(
-            error, BURNISH_STATUS_WRITE,
-            "figures.gp: not found beside the program; name the file in BURNISH_FIGURES");
-    }
-    int code = spawn_gnuplot(figures, streams, &child);
-    if (code != 0) {
-        return fail_run(error, code);
-    }
-    int exit_code = wait_for(child);
-    if (exit_code == 127) { /* older C libraries fork before they search for the program */
-        return fail_run(error, ENOENT);
+    int exit_code = 0;
+    const burnish_status status = run_gnuplot(streams, &exit_code, error);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
     }
     if (exit_code != 0) {
         return fail_gnuplot(streams[2], error);

@@ -33,29 +33,14 @@ burnish_status picture_write_video(const char *container, const char *path,
 
 enum { PIECE = 1 << 16 };
 
-/* Finds ffmpeg in PATH. Relative folders are skipped: they could belong to the input. */
-static int find_ffmpeg(char file[4096]) {
-    const char *folder = getenv("PATH");
-    while (folder && *folder) {
-        const int length = (int)strcspn(folder, ":");
-        if (*folder == '/' && length < 4000) {
-            snprintf(file, 4096, "%.*s/ffmpeg", length, folder);
-            if (access(file, X_OK) == 0) {
-                return 1;
-            }
-        }
-        folder += length + (folder[length] == ':');
-    }
-    return 0;
-}
-
 burnish_status picture_check_video(const char *flag, const char *path, burnish_error *error) {
-    char file[4096];
-    return find_ffmpeg(file) ? BURNISH_STATUS_OK
-                             : cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                                        "--%s: \"%.200s\": ffmpeg encodes videos and is not in "
-                                        "PATH; install it, or write .gif or .webp",
-                                        flag, path);
+    char file[CLI_PATH_SIZE];
+    return cli_find_program("ffmpeg", file)
+               ? BURNISH_STATUS_OK
+               : cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--%s: \"%.200s\": ffmpeg encodes videos and is not in "
+                          "PATH; install it, or write .gif or .webp",
+                          flag, path);
 }
 
 /* ffmpeg's descriptors: the pipe's end, the unnamed files of the video and of its messages. */
@@ -83,10 +68,10 @@ static void become_ffmpeg(const char *file, const char *container) {
 }
 
 static int ffmpeg_start(encoder *e, const char *container) {
-    char file[4096];
+    char file[CLI_PATH_SIZE];
     int ends[2] = {-1, -1};
     *e = (encoder){-1, -1, cli_unnamed_file(), cli_unnamed_file()};
-    if (e->video < 0 || e->messages < 0 || !find_ffmpeg(file) || pipe(ends) != 0) {
+    if (e->video < 0 || e->messages < 0 || !cli_find_program("ffmpeg", file) || pipe(ends) != 0) {
         return 0;
     }
     fcntl(ends[1], F_SETFD, FD_CLOEXEC);
