@@ -2,7 +2,8 @@
 # The library as a part of another project, without pkg-config and other libraries: docs/examples/picture.c draws the program's pixels.
 #   cmake  by add_subdirectory()
 #   cc     by one command, as docs/api.md says
-# Usage: embed.sh cmake|cc BURNISH CC SOURCE_DIR SCRATCH
+#   lobe   not the library, but the lobes with base/ alone
+# Usage: embed.sh cmake|cc|lobe BURNISH CC SOURCE_DIR SCRATCH
 set -eu
 burnish=$(realpath "$2")
 cc=$3
@@ -22,6 +23,13 @@ endfacet
 endsolid triangle
 END
 case $1 in
+lobe)
+    cp -r "$source/base" "$source/lobe" .
+    { cmake -S lobe -B build -G Ninja -DCMAKE_C_COMPILER="$cc" -DCMAKE_BUILD_TYPE=Debug -DBURNISH_TESTS=OFF && cmake --build build; } >log || { tail -n 20 log; exit 1; }
+    "$burnish" lobe claims >expected
+    build/burnish-lobe claims | cmp - expected
+    exit
+    ;;
 cmake)
     cat >CMakeLists.txt <<'END'
 cmake_minimum_required(VERSION 3.16)
