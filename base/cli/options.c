@@ -146,9 +146,14 @@ const cli_flag *cli_flag_at(const cli_command *command, size_t index) {
     return NULL;
 }
 
+/* Whether the flag is in the command's own table, which can be missing. */
+static int is_own(const cli_command *command, const cli_flag *flag) {
+    return command->flag_count > 0 && flag >= command->flags &&
+           flag < command->flags + command->flag_count;
+}
+
 const cli_flag *cli_group_of(const cli_command *command, const cli_flag *flag) {
-    const int is_own = flag >= command->flags && flag < command->flags + command->flag_count;
-    const cli_flag *table = is_own ? command->flags : command->base->flags;
+    const cli_flag *table = is_own(command, flag) ? command->flags : command->base->flags;
     while (flag > table && !flag->group) {
         --flag;
     }
@@ -222,8 +227,7 @@ static burnish_status fail_unknown(const cli_command *command, const char *argum
 /* The flag's bit in the settings of its command. */
 static uint64_t *given_bit(const cli_command *command, const cli_flag *flag, const void *settings,
                            uint64_t *mask) {
-    while (command && !(command->flag_count > 0 && flag >= command->flags &&
-                        flag < command->flags + command->flag_count)) {
+    while (command && !is_own(command, flag)) {
         command = command->base;
     }
     if (!command || !command->given) {
