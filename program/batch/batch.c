@@ -208,6 +208,16 @@ const cli_command batch_command = {
 
 /* ---- Work ---- */
 
+/* Returns 0 if this is no part. */
+static int set_part(batch_part *part, double index, double count, int is_rank) {
+    if (!(index >= 1 && index <= count && count <= 1e6) || index != (double)(int)index ||
+        count != (double)(int)count) {
+        return 0;
+    }
+    *part = (batch_part){(int)index, (int)count, is_rank};
+    return 1;
+}
+
 /* Takes the rank and the number of ranks from what Open MPI's mpirun, MPICH's or srun has set. */
 static int find_rank(batch_part *part) {
     static const char *const names[][2] = {{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
@@ -216,8 +226,9 @@ static int find_rank(batch_part *part) {
     for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
         const char *rank = getenv(names[i][0]), *size = getenv(names[i][1]);
         if (rank && size) {
-            *part = (batch_part){atoi(rank) + 1, atoi(size), 1};
-            return part->index >= 1 && part->index <= part->count;
+            double index, count;
+            return cli_read_real(rank, strlen(rank), &index) &&
+                   cli_read_real(size, strlen(size), &count) && set_part(part, index + 1, count, 1);
         }
     }
     return 0;
@@ -236,14 +247,12 @@ static burnish_status flag_part(const cli_flag *flag, const char *text, void *ta
     const char *slash = strchr(text, '/');
     double index, count;
     if (!slash || !cli_read_real(text, (size_t)(slash - text), &index) ||
-        !cli_read_real(slash + 1, strlen(slash + 1), &count) || index < 1 || index > count ||
-        count > 1e6 || index != (double)(int)index || count != (double)(int)count) {
+        !cli_read_real(slash + 1, strlen(slash + 1), &count) || !set_part(part, index, count, 0)) {
         return cli_fail(
             error, BURNISH_STATUS_ARGUMENT,
             "--%s: \"%.60s\": expected I/N with 1 <= I <= N <= 1000000, such as 3/100, or rank",
             flag->name, text);
     }
-    *part = (batch_part){(int)index, (int)count, 0};
     return BURNISH_STATUS_OK;
 }
 

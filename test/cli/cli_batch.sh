@@ -211,6 +211,9 @@ rm -rf out reference programs
 for part in 0/3 4/3 1.5/3 3 /; do
     expect 2 "burnish: --shard: \"$part\": expected I/N with 1 <= I <= N <= 1000000, such as 3/100, or rank" batch in --shard=$part
 done
+for wrong in "x 2" "2 2" "-1 2" "0 1000001" "0 2x" "1e9 2e9"; do
+    OMPI_COMM_WORLD_RANK=${wrong% *} OMPI_COMM_WORLD_SIZE=${wrong#* } gives 2 batch in --shard=rank
+done
 expect 2 'burnish: --shard: neither mpirun nor srun has set a rank; start burnish with one of them, or give I/N, such as 3/100' batch in --shard=rank
 # Ranks: mpirun would end the others if one had another exit code than 0.
 for rank in 0 1 2; do
