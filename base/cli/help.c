@@ -150,25 +150,22 @@ static burnish_status check_topic(const cli_command *command, const char *topic,
                     list);
 }
 
-const char *cli_exit_text(int code) {
+const char *cli_exit_text(const cli_word *own, int code) {
     if (code == burnish_status_exit_code(BURNISH_STATUS_CANCELLED)) {
         return NULL; /* the program cancels no call */
     }
     if (code == burnish_status_exit_code(BURNISH_STATUS_ARGUMENT)) {
         return "wrong usage";
     }
-    switch (code) {
-#define CODE(number, text)                                                                         \
-    case number:                                                                                   \
-        return text;
-#define STATUS_CODE(name, number, text) CODE(number, text)
-        BURNISH_STATUS_LIST(STATUS_CODE)
-        CLI_EXIT_LIST(CODE)
-#undef STATUS_CODE
-#undef CODE
-    default:
-        return NULL;
+    for (int status = 0; status < BURNISH_STATUS_COUNT; ++status) {
+        if (burnish_status_exit_code((burnish_status)status) == code) {
+            return burnish_status_text((burnish_status)status);
+        }
     }
+    while (own->name && own->value != code) {
+        ++own;
+    }
+    return own->name;
 }
 
 static void print_head(const cli_command *command) {

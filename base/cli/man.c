@@ -176,12 +176,13 @@ static void print_sections(const cli_command *command) {
     }
 }
 
-static void print_exit_status(void) {
+static void print_exit_status(const cli_program *program) {
     printf(".SH \"EXIT STATUS\"\n");
     for (int code = 0; code < CLI_EXIT_END; ++code) {
-        if (cli_exit_text(code)) {
+        const char *text = cli_exit_text(program->exits, code);
+        if (text) {
             printf(".TP\n.B %d\n", code);
-            print_text(cli_exit_text(code));
+            print_text(text);
         }
     }
     printf(".PP\n");
@@ -221,7 +222,7 @@ void cli_print_man(const cli_program *program) {
     for (size_t i = 0; program->commands[i]; ++i) {
         print_sections(program->commands[i]);
     }
-    print_exit_status();
+    print_exit_status(program);
     print_section(program->environment);
     printf(".SH EXAMPLES\n");
     print_example_list(program->examples);

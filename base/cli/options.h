@@ -8,21 +8,6 @@
 
 #include "burnish/core.h"
 
-/* X(code, text) of every exit code that is not from a burnish_status. */
-#define CLI_EXIT_LIST(X)                                                                           \
-    X(1, "ended by a crash or the sandbox")                                                        \
-    X(8, "a blank picture")                                                                        \
-    X(10, "pictures differ")                                                                       \
-    X(11, "some inputs failed")                                                                    \
-    X(12, "a command's program is not installed")
-
-enum {
-    CLI_EXIT_BLANK = 8,
-    CLI_EXIT_DIFFERENT = 10,
-    CLI_EXIT_SOME_FAILED = 11,
-    CLI_EXIT_NO_PROGRAM = 12
-};
-
 /* Longest name of a flag or command, without dashes. */
 #define CLI_NAME_MAX 48
 

@@ -1,14 +1,59 @@
 #include "base/cli/process.h"
 
-#ifndef _WIN32
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#ifdef _WIN32
+#include <process.h>
+
+/* In quotes, for the C library that splits the command line again. Never released: the program ends. */
+static char *quote(const char *text) {
+    char *const quoted = malloc(2 * strlen(text) + 3), *at = quoted;
+    size_t slashes = 0;
+    if (!quoted) {
+        return NULL;
+    }
+    for (*at++ = '"'; *text; *at++ = *text++) {
+        for (slashes += *text == '"'; *text == '"' && slashes > 0; --slashes) {
+            *at++ = '\\';
+        }
+        slashes = *text == '\\' ? slashes + 1 : 0;
+    }
+    for (; slashes > 0; --slashes) {
+        *at++ = '\\';
+    }
+    memcpy(at, "\"", 2);
+    return quoted;
+}
+
+int cli_run_instead(const char *path, char **words) {
+    for (char **word = words; *word; ++word) {
+        *word = quote(*word);
+        if (!*word) {
+            return -1;
+        }
+    }
+    fflush(NULL);
+    return (int)_spawnv(_P_WAIT, path, (const char *const *)words);
+}
+
+int cli_program_folder(char *folder, size_t size) {
+    char *name = NULL;
+    const int length = _get_pgmptr(&name) == 0 ? snprintf(folder, size, "%s", name) : 0;
+    if (length <= 0 || (size_t)length >= size) {
+        return 0;
+    }
+    char *slash = strrchr(folder, '\\');
+    *(slash ? slash : folder) = 0;
+    return 1;
+}
+
+#else
 
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -78,6 +123,12 @@ void cli_execute(const char *path, const char *const *arguments) {
     }
     execv(path, (char *const *)(uintptr_t)arguments);
     _exit(127);
+}
+
+int cli_run_instead(const char *path, char **words) {
+    fflush(NULL);
+    execv(path, words); /* returns only if it fails */
+    return -1;
 }
 
 int cli_program_folder(char *folder, size_t size) {

@@ -1,5 +1,5 @@
-/* Starts processes. Every child ends with its parent and keeps only the descriptors of its plan. Not on
- * Windows. */
+/* Starts processes. Every child ends with its parent and keeps only the descriptors of its plan. On
+ * Windows there are cli_run_instead and cli_program_folder alone. */
 #ifndef BASE_CLI_PROCESS_H
 #define BASE_CLI_PROCESS_H
 
@@ -35,6 +35,17 @@ __attribute__((noreturn)) void cli_execute(const char *path, const char *const *
  * Returns 1, or 0 if there is none. */
 enum { CLI_PATH_SIZE = 4096 };
 int cli_find_program(const char *name, char path[CLI_PATH_SIZE]);
+
+/* Runs another program instead of this one, with words that end with NULL, the first of which is its
+ * name. Returns its exit code on Windows; elsewhere it returns only -1, if that fails, and sets errno.
+ */
+int cli_run_instead(const char *path, char **words);
+
+#ifdef _WIN32
+#define CLI_PROGRAM_EXTENSION ".exe"
+#else
+#define CLI_PROGRAM_EXTENSION ""
+#endif
 
 /* The folder of this program's file, or 0 if it is unknown or longer than that. */
 int cli_program_folder(char *folder, size_t size);

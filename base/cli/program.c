@@ -103,8 +103,9 @@ static void print_first_screen(void) {
     cli_print_examples(running->examples);
     printf("\nExit codes\n");
     for (int code = 0; code < CLI_EXIT_END; ++code) {
-        if (cli_exit_text(code)) {
-            printf("  %d  %s\n", code, cli_exit_text(code));
+        const char *text = cli_exit_text(running->exits, code);
+        if (text) {
+            printf("  %d  %s\n", code, text);
         }
     }
     printf("\n%s COMMAND --help lists the flags; %s help --man | man -l - explains them.\n",

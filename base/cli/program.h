@@ -16,6 +16,7 @@ typedef struct cli_program {
     int (*implies)(const char *first);  /* whether the first argument begins such a line */
     /* Runs the program of a command that has its own. Returns the exit code. */
     int (*start)(const cli_command *command, int argc, char **argv);
+    const cli_word *exits;          /* its exit codes that are not from a burnish_status */
     const cli_example *examples;    /* of the first screen; the last has a NULL command */
     const cli_section *values;      /* of the man page: values of several commands */
     const cli_section *environment; /* of the man page */

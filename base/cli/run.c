@@ -103,6 +103,20 @@ static int is_link_to_mesh(const char *path) {
 #endif
 }
 
+burnish_status cli_check_output(const char *flag, const char *path, int is_text,
+                                burnish_error *error) {
+    if (is_link_to_mesh(path)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%.200s\" is a link to a mesh; name another file", flag, path);
+    }
+    return is_text && is_mesh_name(path)
+               ? cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--%s: \"%.200s\" has the extension of a mesh, which this file is not; "
+                          "end the name otherwise",
+                          flag, path)
+               : BURNISH_STATUS_OK;
+}
+
 /* No output replaces a file that the same run reads, or a mesh behind a link, and no report a mesh. */
 static burnish_status check_files(const cli_call *call, burnish_error *error) {
     for (size_t i = 0; i < call->argument_count; ++i) {
@@ -117,15 +131,10 @@ static burnish_status check_files(const cli_call *call, burnish_error *error) {
                                 "--%s: \"%.200s\" is an input; name another file", flag, path);
             }
         }
-        if (is_link_to_mesh(path)) {
-            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: \"%.200s\" is a link to a mesh; name another file", flag, path);
-        }
-        if (call->arguments[i].flag->file == CLI_REPORTS && is_mesh_name(path)) {
-            return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "--%s: \"%.200s\" has the extension of a mesh, which this file is not; "
-                            "end the name otherwise",
-                            flag, path);
+        const burnish_status status =
+            cli_check_output(flag, path, call->arguments[i].flag->file == CLI_REPORTS, error);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
         }
     }
     return BURNISH_STATUS_OK;

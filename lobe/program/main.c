@@ -72,6 +72,7 @@ static const cli_program program = {
         "*table*_N_*:linear* for comparison. Errors are relative to cos^n with the same exponent. "
         "Angles are degrees.",
     .commands = commands,
+    .exits = (const cli_word[]){{NULL, 0}},
     .examples = examples,
     .values = &lobes,
     .environment = &environment,

@@ -26,6 +26,7 @@
 #include "base/cli/process.h"
 #include "base/clock.h"
 #include "cli/limits.h"
+#include "cli/main.h"
 #include "import/importers.h"
 #include "render/output/result.h"
 #include "render/render.h"

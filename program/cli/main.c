@@ -4,11 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#ifdef _WIN32
-#include <process.h>
-#endif
 
+#include "base/cli/process.h"
 #include "base/cli/program.h"
+#include "base/cli/run.h"
 #include "base/cli/values.h"
 #include "cli/colors.h"
 #include "cli/input.h"
@@ -40,6 +39,10 @@ static const cli_example examples[] = {
     {NULL, NULL},
 };
 
+#define EXIT_CODE(name, code, text) {text, code},
+static const cli_word exits[] = {CLI_EXIT_LIST(EXIT_CODE){NULL, 0}};
+#undef EXIT_CODE
+
 static const cli_section environment = {
     .heading = "ENVIRONMENT",
     .terms =
@@ -57,80 +60,48 @@ static const cli_section environment = {
 
 /* ---- Programs of other commands ---- */
 
-/* Whether the program is in that folder, or in the one of importers; *path receives its name. */
-static int find_beside(char *folder, const char *name, char *path, size_t size) {
+/* Whether the program is in this program's folder, or in the one of importers. */
+static int find_beside(const char *name, char path[CLI_PATH_SIZE]) {
     static const char *const below[] = {"", "/" BURNISH_IMPORTERS_FOLDER};
-#ifdef _WIN32
-    char *slash = strrchr(folder, '\\');
-    const char *const extension = ".exe";
-#else
-    char *slash = strrchr(folder, '/');
-    const char *const extension = "";
-#endif
-    *(slash ? slash : folder) = 0;
-    for (size_t i = 0; i < sizeof below / sizeof *below; ++i) {
-        const int length = snprintf(path, size, "%s%s/%s%s", folder, below[i], name, extension);
-        if (length > 0 && (size_t)length < size && access(path, R_OK) == 0) {
+    char folder[CLI_PATH_SIZE];
+    const int is_known = cli_program_folder(folder, sizeof folder);
+    for (size_t i = 0; is_known && i < sizeof below / sizeof *below; ++i) {
+        if (snprintf(path, CLI_PATH_SIZE, "%s%s/%s" CLI_PROGRAM_EXTENSION, folder, below[i], name) <
+                CLI_PATH_SIZE &&
+            access(path, R_OK) == 0) {
             return 1;
         }
     }
     return 0;
 }
 
-#ifdef _WIN32
-/* In quotes, for the C library that splits the command line again. Never released: the program ends. */
-static char *quote(const char *text) {
-    char *const quoted = malloc(2 * strlen(text) + 3), *at = quoted;
-    size_t slashes = 0;
-    if (!quoted) {
-        return NULL;
-    }
-    for (*at++ = '"'; *text; *at++ = *text++) {
-        for (slashes += *text == '"'; *text == '"' && slashes > 0; --slashes) {
-            *at++ = '\\';
-        }
-        slashes = *text == '\\' ? slashes + 1 : 0;
-    }
-    for (; slashes > 0; --slashes) {
-        *at++ = '\\';
-    }
-    memcpy(at, "\"", 2);
-    return quoted;
-}
-
-static int run(const char *path, char **words) {
-    for (char **word = words; *word; ++word) {
-        *word = quote(*word);
-        if (!*word) {
-            return -1;
+/* The other program does not know names of meshes: its outputs are text. */
+static burnish_status check_outputs(int argc, char **argv, burnish_error *error) {
+    burnish_status status = BURNISH_STATUS_OK;
+    for (int i = 0; i < argc && status == BURNISH_STATUS_OK; ++i) {
+        const char *word = argv[i];
+        const int is_flag = strcmp(word, "-o") == 0 || strcmp(word, "--output") == 0;
+        const char *path = is_flag                              ? argv[i + 1]
+                           : strncmp(word, "--output=", 9) == 0 ? word + 9
+                           : strncmp(word, "-o", 2) == 0        ? word + 2
+                                                                : NULL;
+        if (path) {
+            status = cli_check_output("output", path, 1, error);
         }
     }
-    return (int)_spawnv(_P_WAIT, path, (const char *const *)words);
+    return status;
 }
-
-static size_t own_path(char *path, size_t size) {
-    char *name = NULL;
-    return _get_pgmptr(&name) == 0 ? (size_t)snprintf(path, size, "%s", name) : 0;
-}
-#else
-static int run(const char *path, char **words) {
-    execv(path, words); /* returns only if it fails */
-    return -1;
-}
-
-static size_t own_path(char *path, size_t size) {
-    const ssize_t length = readlink("/proc/self/exe", path, size - 1);
-    return length > 0 ? (size_t)length : 0;
-}
-#endif
 
 /* As git does with its commands: `burnish lobe table` is `burnish-lobe table`. */
 static int start_beside(const cli_command *command, int argc, char **argv) {
-    char own[4000] = "", path[4200], name[CLI_NAME_MAX];
-    const size_t length = own_path(own, sizeof own - 1);
+    char path[CLI_PATH_SIZE], name[CLI_NAME_MAX];
+    burnish_error error;
+    const burnish_status status = check_outputs(argc, argv, &error);
+    if (status != BURNISH_STATUS_OK) {
+        return cli_exit_code(status, &error);
+    }
     snprintf(name, sizeof name, "%s", command->program);
-    own[length < sizeof own ? length : 0] = 0;
-    if (!find_beside(own, name, path, sizeof path)) {
+    if (!find_beside(name, path)) {
         fprintf(stderr,
                 "burnish: %s: %s is not installed next to this program; install it, or build it by "
                 "cmake -S lobe\n",
@@ -142,8 +113,7 @@ static int start_beside(const cli_command *command, int argc, char **argv) {
     if (words) {
         words[0] = name;
         memcpy(words + 1, argv, (size_t)argc * sizeof *words);
-        fflush(stdout);
-        code = run(path, words);
+        code = cli_run_instead(path, words);
     }
     if (code < 0) {
         fprintf(stderr, "burnish: %s: %s can't be started: %s; install it again\n", command->name,
@@ -180,6 +150,7 @@ static const cli_program burnish = {
     .implied_work = render_work,
     .implies = implies_render,
     .start = start_beside,
+    .exits = exits,
     .examples = examples,
     .values = &cli_color_section,
     .environment = &environment,

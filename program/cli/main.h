@@ -4,6 +4,17 @@
 
 #include "base/cli/options.h"
 
+/* X(name, code, text) of every exit code that is not from a burnish_status. */
+#define CLI_EXIT_LIST(X)                                                                           \
+    X(CRASHED, 1, "ended by a crash or the sandbox")                                               \
+    X(BLANK, 8, "a blank picture")                                                                 \
+    X(DIFFERENT, 10, "pictures differ")                                                            \
+    X(SOME_FAILED, 11, "some inputs failed")                                                       \
+    X(NO_PROGRAM, 12, "a command's program is not installed")
+#define CLI_EXIT_ENUM(name, code, text) CLI_EXIT_##name = code,
+enum { CLI_EXIT_LIST(CLI_EXIT_ENUM) };
+#undef CLI_EXIT_ENUM
+
 /* X(table) of every command, in the order of the help screen. */
 #define CLI_COMMAND_LIST(X)                                                                        \
     X(render_command)                                                                              \

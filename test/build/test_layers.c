@@ -21,7 +21,7 @@ static const struct layer {
     {"base", "burnish/core.h"},
     {"base/cli", "base burnish/core.h"},
     {"base/include/burnish", ""},
-    {"base/test", "base burnish/core.h"},
+    {"base/test", "base base/cli burnish/core.h"},
     {"base/wasm", "burnish/core.h"},
     {"lobe/include/burnish", LOBE},
     {"lobe/spec", "base " LOBE},

@@ -262,7 +262,8 @@ for format in stl gltf glb obj off ply 3mf bms stl.gz step FBX; do
     cp part.obj "keep.$format"
     for flags in 'part.obj --output=' 'part.obj --output-format=png --output=' 'part.obj --turntable=' 'part.obj --json=' \
         'part.obj --plane=depth:' 'info part.obj --json=' 'info part.obj --csv=' 'compare :sphere :torus --output=' \
-        'compare :sphere :torus --json=' 'batch part.obj --sheet=' 'batch part.obj --report='; do
+        'compare :sphere :torus --json=' 'batch part.obj --sheet=' 'batch part.obj --report=' 'lobe table --output=' \
+        'lobe plot --format=svg curves --output=' 'lobe table -o '; do
         gives 2 ${flags}keep.$format
     done
     check "keep.$format stays" cmp part.obj "keep.$format"
@@ -274,7 +275,8 @@ expect 2 'burnish: --json: "./new.png" is the picture; name another file' part.o
 expect 2 'burnish: --json: "./new.png" is the picture; name another file' compare part.obj part.obj -o new.png --json=./new.png
 cp part.obj kept.obj
 ln -s kept.obj link.png
-for flags in 'part.obj --output=' 'part.obj --plane=depth:' 'compare :sphere :torus --output=' 'batch part.obj -d . --sheet='; do
+for flags in 'part.obj --output=' 'part.obj --plane=depth:' 'compare :sphere :torus --output=' 'batch part.obj -d . --sheet=' \
+    'lobe table --output='; do
     gives 2 ${flags}link.png
     check "${flags}link.png: $(cat "$err")" grep -q 'is a link to a mesh; name another file' "$err"
 done
