@@ -25,7 +25,7 @@ int theory_values(const char *words, double exponent, size_t count, const double
     return 1;
 }
 
-/* One fact of a lobe, in the order of wasm.js; NaN after an error or if it is undefined. */
+/* One fact of a lobe, in the order of lobe.js; NaN after an error or if it is undefined. */
 double theory_number(const char *words, double exponent, int which) {
     burnish_theory_model m;
     if (burnish_theory_model_parse(words, exponent, &m, module_error()) != BURNISH_STATUS_OK) {
@@ -66,7 +66,7 @@ double theory_number(const char *words, double exponent, int which) {
     }
 }
 
-/* Exponents and roughness, in the order of wasm.js. */
+/* Exponents and roughness, in the order of lobe.js. */
 double theory_convert(int which, double value) {
     static double (*const conversions[])(double) = {
         burnish_theory_exponent_from_roughness, burnish_theory_roughness_from_exponent,

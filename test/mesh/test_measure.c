@@ -146,6 +146,7 @@ static void test_builtin(void) {
 /* All digits: sums of the same triangles in long double, from the origin. */
 static void check_sums(const char *name) {
     OWNED_MESH *mesh = load(name, 16, 1);
+    CHECK1(burnish_mesh_get_info(mesh)->format == BURNISH_FORMAT_BUILTIN);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     const burnish_mesh_facts *f = burnish_mesh_get_facts(mesh);
     long double area = 0, volume = 0, center[3] = {0};
