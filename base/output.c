@@ -353,7 +353,7 @@ static int may_write(const char *path) {
 
 static burnish_status write_new(const char *path, const content *what, burnish_error *error) {
 #ifndef _WIN32
-    struct stat state;
+    struct stat state = {0};
     if (lstat(path, &state) == 0) {
         return burnish_fail(error, BURNISH_STATUS_WRITE,
                             "%s: can't be written: it is a link to nothing; create what it names, "
@@ -372,7 +372,7 @@ static burnish_status write_content(const char *path, const content *what, burni
     if (strcmp(path, "-") == 0) {
         return write_standard_output(what, error);
     }
-    struct stat state;
+    struct stat state = {0};
     if (stat(path, &state) != 0) {
         return errno == ENOENT ? write_new(path, what, error) : fail_write(error, path, errno);
     }
