@@ -206,28 +206,29 @@ static void check_accuracy(void) {
     for (int i = 0; i < SWEEP_BOUND_COUNT; ++i) {
         const sweep_bound *bound = &sweep_bounds[i];
         sweep_result result = {0};
-        double lowest = bound->order > 2 ? bound->order : 1;
+        double lowest = bound->kind == SWEEP_FAMILY && bound->order > 2 ? bound->order : 1;
         for (int k = 0; k < 2000; ++k) {
             sweep_case c = {"", bound->kind, fits[k % (bound->order == 2 ? 4 : 2)], bound->order,
                             (float)(lowest * pow(65536 / lowest, test_uniform(&state, 0, 1)))};
-            burnish_lobe lobe = {0, 0};
-            double width = 1;
-            if (c.kind == SWEEP_FAMILY) {
-                CHECK(burnish_lobe_create(&lobe, c.fit, c.order, c.exponent) == BURNISH_LOBE_OK,
-                      "%g", (double)c.exponent);
-                width = fmin(2, 1 / (double)lobe.zeta);
+            sweep_lobe lobe;
+            double width;
+            if (c.kind == SWEEP_COMPOSITE && (c.order < 5 || k % 2)) {
+                c.fit = NO_FIT;
             }
+            CHECK(sweep_make(&c, &lobe, &width), "%g", (double)c.exponent);
             for (int j = 0; j < 300; ++j) {
                 double lambda =
                     j & 1 ? test_uniform(&state, 0, 1) : pow(test_uniform(&state, 0, 1), 6);
                 float x = (float)(1 - width * lambda);
-                sweep_compare(&result, sweep_value(&c, lobe, x), sweep_exact(&c, lobe, (double)x));
+                sweep_compare(&result, sweep_value(&c, &lobe, x),
+                              sweep_exact(&c, &lobe, (double)x));
             }
         }
         printf("%s, order %d, any exponent:",
-               bound->kind == SWEEP_FAMILY    ? "family"
-               : bound->kind == SWEEP_SCHLICK ? "schlick"
-                                              : "gx",
+               bound->kind == SWEEP_FAMILY      ? "family"
+               : bound->kind == SWEEP_COMPOSITE ? "composite"
+               : bound->kind == SWEEP_SCHLICK   ? "schlick"
+                                                : "gx",
                bound->order);
         CHECK(sweep_keeps(bound, &result), "bound %d", i);
         printf("\n");
@@ -403,6 +404,94 @@ static void check_cutoff(void) {
     CHECK1(burnish_lobe_cutoff_cosine(wide) == -3 && burnish_lobe_at_cosine(wide, -1) == 0.25f);
 }
 
+/* ---- Composite lobes ----------------------------------------------------------------------------
+ */
+
+static int is_dark_composite(burnish_composite lobe) {
+    return lobe.multiplications == 0 && burnish_composite_at_cosine(lobe, 1) == 0 &&
+           burnish_composite_at_lambda(lobe, -INFINITY) == 0 &&
+           burnish_composite_at_lambda(lobe, INFINITY) == 0 &&
+           burnish_composite_at_cosine(lobe, NAN) == 0 &&
+           burnish_composite_cutoff_cosine(lobe) == 1;
+}
+
+static void check_composite_errors(void) {
+    static const struct {
+        int aim, multiplications;
+        float exponent;
+        burnish_lobe_status status;
+    } bad[] = {
+        {-1, 5, 10, BURNISH_LOBE_ERROR_COMPOSITE},
+        {2, 5, 10, BURNISH_LOBE_ERROR_COMPOSITE},
+        {0, 1, 10, BURNISH_LOBE_ERROR_COMPOSITE},
+        {0, 7, 10, BURNISH_LOBE_ERROR_COMPOSITE},
+        {1, 4, 10, BURNISH_LOBE_ERROR_COMPOSITE},
+        {1, 7, 10, BURNISH_LOBE_ERROR_COMPOSITE},
+        {0, 5, NAN, BURNISH_LOBE_ERROR_EXPONENT},
+        {0, 5, 0.9999f, BURNISH_LOBE_ERROR_EXPONENT},
+        {1, 5, 65536.008f, BURNISH_LOBE_ERROR_EXPONENT},
+        {1, 6, INFINITY, BURNISH_LOBE_ERROR_EXPONENT},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        burnish_composite lobe = {7, 7, {7, 7, 7, 7}, 7};
+        double zeta = 7, b[4] = {7, 7, 7, 7};
+        burnish_composite_aim aim = (burnish_composite_aim)bad[i].aim;
+        burnish_lobe_status status =
+            burnish_composite_create(&lobe, aim, bad[i].multiplications, bad[i].exponent);
+        CHECK(status == bad[i].status && is_dark_composite(lobe), "row %d", (int)i);
+        CHECK(burnish_composite_constants(aim, bad[i].multiplications, (double)bad[i].exponent,
+                                          &zeta, b) == 0 &&
+                  zeta == 0 && b[0] == 0 && b[3] == 0,
+              "row %d", (int)i);
+    }
+}
+
+/* Whole powers of two are exact, with the multiplications of their product. */
+static void check_composite_products(void) {
+    for (int m = 2; m <= 6; ++m) {
+        for (int n = 2, least = 2; least <= m; n *= 2, ++least) {
+            burnish_composite lobe;
+            CHECK1(burnish_composite_create(&lobe, BURNISH_COMPOSITE_MINIMAX, m, (float)n) ==
+                   BURNISH_LOBE_OK);
+            CHECK(lobe.multiplications == least && lobe.top == 1 && lobe.slope == 1 &&
+                      lobe.offset[0] == 0,
+                  "%d %d", m, n);
+            CHECK1(burnish_composite_at_cosine(lobe, 0.5f) == 1 / powf(2, (float)n));
+        }
+    }
+}
+
+/* The float lobe is the formula with the constants that burnish_composite_constants states, and
+ * ends where they say. */
+static void check_composite_constants(void) {
+    double worst = 0;
+    for (int m = 2; m <= 6; ++m) {
+        for (float n = 1; n <= 65536; n *= 1.37f) {
+            burnish_composite lobe;
+            double zeta, b[4];
+            const burnish_composite_aim aim = BURNISH_COMPOSITE_MINIMAX;
+            CHECK1(burnish_composite_create(&lobe, aim, m, n) == BURNISH_LOBE_OK);
+            const int used = burnish_composite_constants(aim, m, (double)n, &zeta, b);
+            CHECK(used == lobe.multiplications && used <= m && zeta >= 1, "%d %g", m, (double)n);
+            for (int i = 0; i <= 100; ++i) {
+                const float lambda = (float)(i / zeta / 100);
+                double u = fmax(0, 1 - zeta * (double)lambda), w = u * u;
+                for (int k = 0; k < used - 2; ++k) {
+                    w *= (w + b[k]) / (1 + b[k]);
+                }
+                worst = fmax(worst, fabs(w - (double)burnish_composite_at_lambda(lobe, lambda)));
+            }
+            const float cutoff = burnish_composite_cutoff_cosine(lobe);
+            CHECK(fabs((double)cutoff - (1 - 1 / zeta)) <= 0x1p-23 &&
+                      burnish_composite_at_cosine(lobe, cutoff - 0x1p-22f) == 0 &&
+                      burnish_composite_at_cosine(lobe, 0.5f + 0.5f * cutoff) > 0,
+                  "%d %g", m, (double)n);
+        }
+    }
+    printf("composites: from the formula at most %.2g\n", worst);
+    CHECK1(worst > 0 && worst < 1.5e-6);
+}
+
 static void check_chord(void) {
     static const float x[3] = {1, 0, 0}, y[3] = {0, 1, 0}, opposite[3] = {-1, 0, 0};
     static const float not_number[3] = {NAN, 0, 0}, endless[3] = {INFINITY, 0, 0};
@@ -502,6 +591,9 @@ int main(int count, char **arguments) {
     RUN(check_status_texts());
     RUN(check_special_floats());
     RUN(check_cutoff());
+    RUN(check_composite_errors());
+    RUN(check_composite_products());
+    RUN(check_composite_constants());
     RUN(check_chord());
     RUN(check_lyon_factor());
     RUN(check_lyon());

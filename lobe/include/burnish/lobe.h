@@ -29,7 +29,7 @@
  *   infinities and denormals are fine. (Not under -ffast-math, which forbids NaN and infinity.)
  * - Results are defined operation by operation in IEEE single precision, in the order written; the
  *   set-up of a lobe uses double. With -ffp-contract=off the bits are the same everywhere.
- * - The family's lobes never decrease as c grows, not even by a rounding error.
+ * - The family's and the composite lobes never decrease as c grows, not even by a rounding error.
  *
  * Accuracy at every float cosine in [-1, 1], compared with the formula in exact arithmetic with the
  * lobe's own zeta or exponent. Absolute errors are in units of 2^-24. Relative errors are in units
@@ -43,6 +43,11 @@
  *     family       8  [8, 65536]   8     (7.27)  24   (20.9)
  *     family      16  [16, 65536]  16    (14.5)  32   (27.0)
  *     family      32  [32, 65536]  32    (28.7)  50   (43.7)
+ *     composite:2     [1, 65536]   2.25        70
+ *     composite:3     [1, 65536]   4.5         35
+ *     composite:4     [1, 65536]   9           30
+ *     composite:5     [1, 65536]   16          25
+ *     composite:6     [1, 65536]   26          35
  *     schlick         [1, 65536]   1.75  (1.50)  4    (3.31)
  *     gx              [1, 65536]   2     (1.74)  5.5  (4.32)
  *
@@ -83,7 +88,8 @@ extern "C" {
     X(ERROR_FIT, "the fit is not one of enum burnish_lobe_fit")                                    \
     X(ERROR_FIT_NEEDS_SOLVE, "only taylor, energy, shift7 and shift3: take burnish_lobe_solve")    \
     X(ERROR_ZETA, "zeta must be a number above 0 and at most 65536")                               \
-    X(ERROR_LEVEL, "the level must be a number between 0 and 1, both excluded")
+    X(ERROR_LEVEL, "the level must be a number between 0 and 1, both excluded")                    \
+    X(ERROR_COMPOSITE, "composite has 2 to 6 multiplications, display has 5 or 6")
 
 typedef enum burnish_lobe_status {
 #define BURNISH_LOBE_STATUS_ENUM(name, text) BURNISH_LOBE_##name,
@@ -264,6 +270,179 @@ static inline float burnish_lobe_chord(const float a[3], const float b[3]) {
  * Returns a value below -1 if the lobe never reaches 0 (zeta < 1/2); 1 for the dark lobe. */
 static inline float burnish_lobe_cutoff_cosine(burnish_lobe lobe) {
     return lobe.order >= 2 ? 1.0f - 1.0f / lobe.zeta : 1.0f;
+}
+
+/* ---- Composite lobes ----------------------------------------------------------------------------
+ *
+ * More quality for the same multiplications: the base is squared once, then each multiplication is
+ * a quadratic with a constant of its own in place of a squaring,
+ *
+ *     u = max(0, 1 - zeta lambda),  w = u^2,  then  w <- w (w + b) / (1 + b),  b >= 0.
+ *
+ * A step keeps 0, 1 and the order of values, so the lobe is 1 at the peak, 0 below its cutoff and
+ * never decreases; b = 0 is a squaring. The divisions are folded into the constants. */
+
+/* The error that the constants make least. */
+typedef enum burnish_composite_aim {
+    BURNISH_COMPOSITE_MINIMAX, /* largest absolute difference from cos^n */
+    BURNISH_COMPOSITE_DISPLAY, /* difference in 8-bit sRGB codes of a highlight of intensity 1 */
+    BURNISH_COMPOSITE_AIM_COUNT
+} burnish_composite_aim;
+
+/* One lobe, passed by value; made by burnish_composite_create. All 0: the dark lobe. */
+typedef struct burnish_composite {
+    float top;           /* v at the peak */
+    float slope;         /* v = top - slope lambda, in [0, top] */
+    float offset[4];     /* after v <- v v: v <- v (v + offset); unused ones are 0 */
+    int multiplications; /* 2 to 6; 0 in the dark lobe */
+} burnish_composite;
+
+/* Checks whether a lobe exists.
+ * Returns OK, ERROR_COMPOSITE or ERROR_EXPONENT. */
+static inline burnish_lobe_status burnish_composite_check(burnish_composite_aim aim,
+                                                          int multiplications, double exponent) {
+    const int least = aim == BURNISH_COMPOSITE_DISPLAY ? 5 : 2;
+    if ((unsigned)aim >= BURNISH_COMPOSITE_AIM_COUNT || multiplications < least ||
+        multiplications > 6) {
+        return BURNISH_LOBE_ERROR_COMPOSITE;
+    }
+    return burnish_lobe_check(2, exponent);
+}
+
+/* The constants of a range of exponents, as polynomials in 1/n. */
+typedef struct burnish_composite_piece {
+    burnish_composite_aim aim;
+    int multiplications;
+    double least;           /* exponent; the last piece of a lobe has 0 */
+    double constants[5][4]; /* of zeta/n and each b: the coefficients of 1, 1/n, 1/n^2, 1/n^3 */
+} burnish_composite_piece;
+
+/* Finds the constants of a lobe; its peak is exactly 1 in real numbers, too.
+ *   zeta  receives the slope, at least 1; not NULL
+ *   b     receives the constants of the steps, the others are 0; not NULL
+ * Returns the multiplications: the given ones or less, as steps that would change nothing are left
+ * out. 0 and constants of 0 for arguments that burnish_composite_check refuses. */
+static inline int burnish_composite_constants(burnish_composite_aim aim, int multiplications,
+                                              double exponent, double *zeta, double b[4]) {
+    static const burnish_composite_piece pieces[] = {
+        {BURNISH_COMPOSITE_MINIMAX, 2, 0, {{0.355859}}},
+        {BURNISH_COMPOSITE_MINIMAX, 3, 0, {{0.2406013}, {0.2683748}}},
+        {BURNISH_COMPOSITE_MINIMAX, 4, 0, {{0.167228}, {0.354439}, {0.492493}}},
+        {BURNISH_COMPOSITE_MINIMAX, 5, 0, {{0.1080952}, {0.412771}, {1.549184}, {0.0604493}}},
+        {BURNISH_COMPOSITE_MINIMAX,
+         6,
+         0,
+         {{0.0700040}, {0.974272}, {2.893822}, {0.1244822}, {0.0033932}}},
+        {BURNISH_COMPOSITE_DISPLAY, 5, 0, {{0.09708}, {0.32565}, {1.06945}, {0.03561}}},
+        {BURNISH_COMPOSITE_DISPLAY, 6, 0, {{0.08512}, {2.68555}, {2.65941}, {0.20923}, {0.01387}}},
+    };
+    const burnish_composite_piece *piece = pieces;
+    int used = 2, i, order = 2;
+    *zeta = b[0] = b[1] = b[2] = b[3] = 0;
+    if (burnish_composite_check(aim, multiplications, exponent) != BURNISH_LOBE_OK) {
+        return 0;
+    }
+    for (i = 2; i <= multiplications; ++i, order *= 2) {
+        if (exponent == order) { /* cos^n is a lobe */
+            *zeta = 1;
+            return i;
+        }
+    }
+    while (piece->aim != aim || piece->multiplications != multiplications ||
+           exponent < piece->least) {
+        ++piece;
+    }
+    for (i = 0; i < multiplications - 1; ++i) {
+        const double *k = piece->constants[i], x = 1 / exponent;
+        const double value = k[0] + x * (k[1] + x * (k[2] + x * k[3]));
+        if (i == 0) {
+            *zeta = value * exponent > 1 ? value * exponent : 1;
+        } else if (value < 1e5) {
+            b[used++ - 2] = value > 0 ? value : 0;
+        }
+    }
+    return used;
+}
+
+/* The square root of a number in (0, 1], from above by Newton's method. */
+static inline double burnish_composite_root(double x) {
+    double root = 1, last;
+    do {
+        last = root;
+        root = 0.5 * (root + x / root);
+    } while (root < last);
+    return last;
+}
+
+/* The lobe at lambda = 1 - cosine, preferable for large exponents as burnish_lobe_at_lambda is.
+ *   lambda  any float; [-infinity, 0] gives 1, NaN gives 0
+ * Returns a value in [0, 1]; 0 for the dark lobe. */
+static inline float burnish_composite_at_lambda(burnish_composite lobe, float lambda) {
+    float v = lobe.top - lobe.slope * lambda;
+    v = v > 0.0f ? v : 0.0f;
+    v = v < lobe.top ? v : lobe.top;
+    v = v * v;
+    v = lobe.multiplications > 2 ? v * (v + lobe.offset[0]) : v;
+    v = lobe.multiplications > 3 ? v * (v + lobe.offset[1]) : v;
+    v = lobe.multiplications > 4 ? v * (v + lobe.offset[2]) : v;
+    return lobe.multiplications > 5 ? v * (v + lobe.offset[3]) : v;
+}
+
+/* The lobe at a cosine: burnish_composite_at_lambda of 1 - cosine.
+ *   cosine  any float; [1, infinity] gives 1, NaN gives 0
+ * Returns a value in [0, 1]; 0 for the dark lobe, and for cosines of 0 and less. */
+static inline float burnish_composite_at_cosine(burnish_composite lobe, float cosine) {
+    return burnish_composite_at_lambda(lobe, 1.0f - cosine);
+}
+
+/* The cosine below which the lobe is 0, rounded to float; 1 for the dark lobe. */
+static inline float burnish_composite_cutoff_cosine(burnish_composite lobe) {
+    return lobe.multiplications > 0 ? 1.0f - lobe.top / lobe.slope : 1.0f;
+}
+
+/* Makes the lobe that approximates cos^exponent.
+ *   lobe             becomes the lobe, on error the dark one; not NULL
+ *   aim              MINIMAX or DISPLAY
+ *   multiplications  2 to 6, with DISPLAY 5 or 6; the lobe can have fewer
+ *   exponent         [1, 65536], not necessarily an integer
+ * Errors: ERROR_COMPOSITE, ERROR_EXPONENT (NaN included). */
+static inline burnish_lobe_status burnish_composite_create(burnish_composite *lobe,
+                                                           burnish_composite_aim aim,
+                                                           int multiplications, float exponent) {
+    const double n = (double)exponent;
+    const burnish_composite dark = {0, 0, {0, 0, 0, 0}, 0};
+    double zeta, b[4], scale = 1; /* v is scale w; 1 after the last step */
+    float top;
+    int i, last = -1;
+    const int used = burnish_composite_constants(aim, multiplications, n, &zeta, b);
+    *lobe = dark;
+    if (used == 0) {
+        return burnish_composite_check(aim, multiplications, n);
+    }
+    lobe->multiplications = used;
+    for (i = used - 3; i >= 0; --i) {
+        scale = burnish_composite_root(scale / (1 + b[i]));
+        lobe->offset[i] = (float)(b[i] * scale);
+        last = last < 0 && b[i] > 0 ? i : last;
+    }
+    /* Rounding would leave a peak of nearly 1. Try values of top around its own; each sets the last
+     * offset so that v (v + offset) is 1 within a rounding error, which 3 of 4 values hit. */
+    top = (float)burnish_composite_root(scale);
+    lobe->top = top;
+    for (i = 0; last >= 0 && i < 64; ++i) {
+        double v, offset;
+        lobe->top = top + (float)(i % 2 ? (i + 1) / 2 : -i / 2) * (1.0f / 16777216.0f);
+        lobe->multiplications = last + 2;
+        v = (double)burnish_composite_at_lambda(*lobe, 0.0f);
+        offset = (1 + 1.0 / 67108864.0) / v - v;
+        lobe->offset[last] = offset > 0 ? (float)offset : 0.0f;
+        lobe->multiplications = used;
+        if (burnish_composite_at_lambda(*lobe, 0.0f) == 1.0f) {
+            break;
+        }
+    }
+    lobe->slope = (float)((double)lobe->top * zeta);
+    return BURNISH_LOBE_OK;
 }
 
 /* ---- Lobes to compare with ----------------------------------------------------------------------
