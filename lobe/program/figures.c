@@ -182,9 +182,9 @@ static int ramp_ink(size_t i, size_t count) {
 /* A lobe has the same hue in every figure; labels distinguish the few that share one. */
 static int lobe_ink(const burnish_theory_model *model) {
     static const int kinds[BURNISH_LOBE_KIND_COUNT] = {
-        [BURNISH_LOBE_SCHLICK] = 1, [BURNISH_LOBE_LYON] = 0, [BURNISH_LOBE_GAUSSIAN] = 4,
-        [BURNISH_LOBE_GX] = 4,      [BURNISH_LOBE_NV2X] = 5, [BURNISH_LOBE_KUIJK_BLAKE] = 4,
-        [BURNISH_LOBE_TABLE] = 6,
+        [BURNISH_LOBE_SCHLICK] = 1, [BURNISH_LOBE_LYON] = 0,      [BURNISH_LOBE_GAUSSIAN] = 4,
+        [BURNISH_LOBE_GX] = 4,      [BURNISH_LOBE_NV2X] = 5,      [BURNISH_LOBE_KUIJK_BLAKE] = 4,
+        [BURNISH_LOBE_TABLE] = 6,   [BURNISH_LOBE_COMPOSITE] = 0,
     };
     static const int fits[BURNISH_FIT_COUNT] = {
         [BURNISH_FIT_TAYLOR] = 0,  [BURNISH_FIT_ENERGY] = 2,        [BURNISH_FIT_LEVEL] = 4,

@@ -32,6 +32,10 @@ static const cli_term lobe_terms[] = {
     {"*zeta*_Z_", "that slope for every exponent, as in *zeta6.645:2*."},
     {"*shift7*, *shift3*", "zeta = 7n/16 and 3n/8, order 2, for integer hardware. "
                            "*shift7* is the paper's W_0.5."},
+    {"*composite*:_M_",
+     "a composition of quadratics with _M_ multiplications, 2 to 6, and the least "
+     "maximum error against cos^n: far lower than the family's."},
+    {"*display*:_M_", "the same for 8-bit sRGB: _M_ is 5 or 6."},
     {"*power*, *schlick*, *gaussian*, *gx*, *lyon*:_ORDER_",
      "for comparison: c^n, c / (n - n c + c), exp(-(n + 0.775) (1 - c)), "
      "c^2 / (n/2 + (1 - n/2) c^2), and the taylor fit taken from the chord of vectors that "

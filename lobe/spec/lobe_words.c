@@ -9,8 +9,8 @@
 
 #define DRAWN_WORDS                                                                                \
     "use FIT:ORDER with FIT taylor, energy, levelQ (0 < Q < 1), shift7, shift3, projected, "       \
-    "minimax, leastsquares, affine or zetaZ and ORDER 2, 4, 8, 16 or 32, or lyon:ORDER, power, "   \
-    "schlick, gaussian, gx"
+    "minimax, leastsquares, affine or zetaZ and ORDER 2, 4, 8, 16 or 32, or composite:2 to "       \
+    "composite:6, display:5, display:6, lyon:ORDER, power, schlick, gaussian, gx"
 
 /* Whether kernels have the lobe. */
 static int is_drawn(burnish_lobe_kind kind) {
@@ -18,12 +18,12 @@ static int is_drawn(burnish_lobe_kind kind) {
 }
 
 /* What follows a word. */
-typedef enum { PLAIN, ORDER, NUMBER_ORDER, ENTRIES } word_tail;
+typedef enum { PLAIN, ORDER, NUMBER_ORDER, MULTIPLICATIONS, ENTRIES } word_tail;
 
 static const struct word {
     const char *text;
     burnish_lobe_kind kind;
-    burnish_lobe_fit fit;
+    int which; /* burnish_lobe_fit or burnish_composite_aim */
     word_tail tail;
 } WORDS[] = {
     {"taylor", BURNISH_LOBE_FAMILY, BURNISH_FIT_TAYLOR, ORDER},
@@ -41,22 +41,26 @@ static const struct word {
     {"lyon", BURNISH_LOBE_LYON, BURNISH_FIT_TAYLOR, ORDER},
     {"gaussian", BURNISH_LOBE_GAUSSIAN, BURNISH_FIT_TAYLOR, PLAIN},
     {"gx", BURNISH_LOBE_GX, BURNISH_FIT_TAYLOR, PLAIN},
+    {"composite", BURNISH_LOBE_COMPOSITE, BURNISH_COMPOSITE_MINIMAX, MULTIPLICATIONS},
+    {"display", BURNISH_LOBE_COMPOSITE, BURNISH_COMPOSITE_DISPLAY, MULTIPLICATIONS},
     {"nv2x", BURNISH_LOBE_NV2X, BURNISH_FIT_TAYLOR, PLAIN},
     {"kuijk-blake", BURNISH_LOBE_KUIJK_BLAKE, BURNISH_FIT_TAYLOR, PLAIN},
     {"table", BURNISH_LOBE_TABLE, BURNISH_FIT_TAYLOR, ENTRIES},
 };
 
 static const char *const EXAMPLES[] = {
-    "taylor:2",   "energy:2",   "level0.5:2",     "shift7:2",    "shift3:2",        "projected:2",
-    "minimax:2",  "affine:2",   "leastsquares:2", "zeta6.645:2", "minimax:4",       "minimax:8",
-    "minimax:16", "minimax:32", "power",          "schlick",     "lyon:2",          "gaussian",
-    "gx",         "nv2x",       "kuijk-blake",    "table256",    "table256:linear",
+    "taylor:2",   "energy:2",    "level0.5:2",     "shift7:2",        "shift3:2",    "projected:2",
+    "minimax:2",  "affine:2",    "leastsquares:2", "zeta6.645:2",     "minimax:4",   "minimax:8",
+    "minimax:16", "minimax:32",  "power",          "schlick",         "lyon:2",      "gaussian",
+    "gx",         "composite:3", "composite:4",    "composite:5",     "composite:6", "display:5",
+    "nv2x",       "kuijk-blake", "table256",       "table256:linear",
 };
 
 enum {
     WORD_COUNT = sizeof WORDS / sizeof WORDS[0],
     EXAMPLE_COUNT = sizeof EXAMPLES / sizeof EXAMPLES[0],
     DEFAULT_ORDER = 2,
+    DEFAULT_MULTIPLICATIONS = 5,
     MAX_DIGITS = 15,  /* a double holds them exactly */
     MAX_DECIMALS = 20 /* and so it does their power of ten */
 };
@@ -68,8 +72,10 @@ const char *burnish_lobe_spec_example(size_t index) {
 /* The row of a lobe, NULL for one without words. */
 static const struct word *word_of(const burnish_lobe_spec *lobe) {
     for (int i = 0; i < WORD_COUNT; ++i) {
-        if (WORDS[i].kind == lobe->kind &&
-            (lobe->kind != BURNISH_LOBE_FAMILY || WORDS[i].fit == lobe->fit)) {
+        const int which = lobe->kind == BURNISH_LOBE_FAMILY      ? (int)lobe->fit
+                          : lobe->kind == BURNISH_LOBE_COMPOSITE ? (int)lobe->aim
+                                                                 : WORDS[i].which;
+        if (WORDS[i].kind == lobe->kind && WORDS[i].which == which) {
             return &WORDS[i];
         }
     }
@@ -115,6 +121,14 @@ static int read_order(const char *text) {
     return *text == 0 ? DEFAULT_ORDER : 0;
 }
 
+/* Reads "" (5), ":2", ... ":6" as the end of the text; 0 when malformed. */
+static int read_multiplications(const char *text) {
+    if (*text == 0) {
+        return DEFAULT_MULTIPLICATIONS;
+    }
+    return text[0] == ':' && text[1] >= '2' && text[1] <= '6' && text[2] == 0 ? text[1] - '0' : 0;
+}
+
 /* Reads "" and ":nearest" (0) or ":linear" (1) as the end of the text; -1 when malformed. */
 static int read_interpolation(const char *text) {
     if (strcmp(text, ":linear") == 0) {
@@ -139,6 +153,10 @@ static int read_tail(const struct word *word, const char *rest, burnish_lobe_spe
     if (word->tail == PLAIN) {
         return *rest == 0;
     }
+    if (word->tail == MULTIPLICATIONS) {
+        lobe->order = read_multiplications(rest);
+        return lobe->order != 0;
+    }
     if (word->tail != ORDER) {
         number = read_number(&rest);
     }
@@ -156,6 +174,12 @@ burnish_status burnish_lobe_spec_check(const burnish_lobe_spec *lobe, burnish_er
         burnish_lobe_spec_name(lobe, name, sizeof name);
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: \"%s\" can't be drawn; %s", name,
                             DRAWN_WORDS);
+    }
+    if (lobe->kind == BURNISH_LOBE_COMPOSITE &&
+        burnish_composite_check(lobe->aim, lobe->order, 1) != BURNISH_LOBE_OK) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "lobe: %d multiplications; composite has 2 to 6, display has 5 or 6",
+                            lobe->order);
     }
     if (lobe->kind != BURNISH_LOBE_FAMILY && lobe->kind != BURNISH_LOBE_LYON) {
         return BURNISH_STATUS_OK;
@@ -197,7 +221,8 @@ static burnish_status parse_lobe(const char *text, int only_drawn, burnish_lobe_
     burnish_lobe_spec read = {0};
     if (word) {
         read.kind = word->kind;
-        read.fit = word->fit;
+        read.fit = word->kind == BURNISH_LOBE_FAMILY ? (burnish_lobe_fit)word->which : 0;
+        read.aim = word->kind == BURNISH_LOBE_COMPOSITE ? (burnish_composite_aim)word->which : 0;
     }
     if (word && word->tail == ENTRIES && !only_drawn &&
         !read_tail(word, text + strlen(word->text), &read)) {
@@ -207,6 +232,12 @@ static burnish_status parse_lobe(const char *text, int only_drawn, burnish_lobe_
                             text, BURNISH_LOBE_ENTRIES_MAX);
     }
     const char *rest = word ? text + strlen(word->text) : "";
+    if (word && word->tail == MULTIPLICATIONS && *rest == ':' && read_multiplications(rest) == 0) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "\"%.40s\": the multiplications, \"%.20s\", are not 2 to 6, or 5 or 6 "
+                            "for display",
+                            text, rest + 1);
+    }
     if (word && word->tail == ORDER && *rest == ':' && read_order(rest) == 0) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "\"%.40s\": the order, \"%.20s\", is not 2, 4, 8, 16 or 32", text,

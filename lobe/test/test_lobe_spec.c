@@ -25,6 +25,10 @@ static void check_words(void) {
                                        "lyon:4",
                                        "gaussian",
                                        "gx",
+                                       "composite:2",
+                                       "composite:6",
+                                       "display:5",
+                                       "display:6",
                                        "zeta65536:2",
                                        "level0.9999999999:2",
                                        "level0.000000000001:2",
@@ -32,10 +36,12 @@ static void check_words(void) {
                                        "zeta0.1:2",
                                        "zeta65535.1234567891:32"};
     static const char *const BAD[] = {
-        "",         "phong",    "energy:3", "energy:",  "energy:64",   "shift7:4",    "level:2",
-        "level1:2", "level0:2", "power:2",  "gxx",      "levelx:2",    "taylor :2",   "zeta0:2",
-        "zeta:2",   "nv2x",     "table256", "affine:3", "zeta65537:2", "kuijk-blake", "minimax:",
-        "zeta-1:2", "zeta1e3:2"};
+        "",           "phong",     "energy:3",    "energy:",     "energy:64",
+        "shift7:4",   "level:2",   "level1:2",    "level0:2",    "power:2",
+        "gxx",        "levelx:2",  "taylor :2",   "zeta0:2",     "zeta:2",
+        "nv2x",       "table256",  "affine:3",    "zeta65537:2", "kuijk-blake",
+        "minimax:",   "zeta-1:2",  "zeta1e3:2",   "composite:1", "composite:7",
+        "composite:", "display:4", "composite:05"};
     char name[BURNISH_LOBE_NAME_SIZE];
     burnish_lobe_spec lobe;
     for (size_t i = 0; i < sizeof GOOD / sizeof GOOD[0]; ++i) {
@@ -52,6 +58,16 @@ static void check_words(void) {
     burnish_error error;
     burnish_lobe_spec_parse("energy:3", &lobe, &error);
     CHECK_TEXT(error.text, "\"energy:3\": the order, \"3\", is not 2, 4, 8, 16 or 32");
+    burnish_lobe_spec_parse("composite:8", &lobe, &error);
+    CHECK_TEXT(error.text,
+               "\"composite:8\": the multiplications, \"8\", are not 2 to 6, or 5 or 6 for "
+               "display");
+    burnish_lobe_spec_parse("display:4", &lobe, &error);
+    CHECK_TEXT(error.text, "lobe: 4 multiplications; composite has 2 to 6, display has 5 or 6");
+    CHECK1(burnish_lobe_spec_parse("composite", &lobe, NULL) == BURNISH_STATUS_OK &&
+           lobe.order == 5);
+    double zeta, scale;
+    CHECK1(burnish_lobe_solve(&lobe, 10, &zeta, &scale) == BURNISH_LOBE_ERROR_FIT && zeta == 0);
     CHECK1(burnish_lobe_spec_parse("shift7", &lobe, NULL) == BURNISH_STATUS_OK && lobe.order == 2);
     CHECK1(burnish_lobe_spec_check(&(burnish_lobe_spec){0}, NULL) == BURNISH_STATUS_ARGUMENT);
     burnish_lobe_spec_name(&(burnish_lobe_spec){.kind = BURNISH_LOBE_KIND_COUNT}, name,

@@ -13,6 +13,10 @@ burnish_theory_cost burnish_theory_model_cost(const burnish_theory_model *model)
             ++cost.multiplications;
         }
         break;
+    case BURNISH_LOBE_COMPOSITE: /* A c + B, max, a square, and a sum and a product per step */
+        cost.multiplications = model->steps + 2;
+        cost.additions = model->steps + 1;
+        break;
     case BURNISH_LOBE_POWER:
         cost.transcendentals = 1;
         break;

@@ -156,6 +156,10 @@ static curve_point point_at(const bound_search *search, double s) {
     return point;
 }
 
+static double error_size(curve_point point, int relative) {
+    return fabs(relative ? relative_of(point.lobe, point.power) : point.lobe - point.power);
+}
+
 /* Both curves fall, so their values at the ends bound the error in between. */
 static void split(const bound_search *search, curve_point a, curve_point b, int depth) {
     double bound, known;
@@ -193,7 +197,48 @@ static void scan_bounded(burnish_theory_difference *result, const burnish_theory
     }
 }
 
+/* ---- Composites: local extremes along a fine grid ---- */
+
+static void scan_grid(burnish_theory_difference *result, const burnish_theory_model *model,
+                      double end) {
+    enum { PLACES = 1024, HALVINGS = 60 };
+    const double golden = 0.6180339887498949, zero = 1 / model->zeta;
+    const double reach = sqrt(zero < end ? zero : end);
+    bound_search search = {model, result, 0};
+    for (int relative = 0; relative < 2; ++relative) {
+        double size[3] = {0, 0, 0};
+        for (int i = 1; i <= PLACES; ++i) {
+            size[0] = size[1], size[1] = size[2];
+            size[2] = error_size(point_at(&search, reach * i / PLACES), relative);
+            if (i < 2 || !(size[1] >= size[0] && size[1] >= size[2])) {
+                continue;
+            }
+            double low = reach * (i - 2) / PLACES, high = reach * i / PLACES;
+            for (int k = 0; k < HALVINGS; ++k) {
+                double x = high - golden * (high - low), y = low + golden * (high - low);
+                if (error_size(point_at(&search, x), relative) <
+                    error_size(point_at(&search, y), relative)) {
+                    low = x;
+                } else {
+                    high = y;
+                }
+            }
+        }
+    }
+}
+
 /* ---- All of them ---- */
+
+/* The same if zeta is 1: near c = 0 the lobe is factor c^degree. */
+static double composite_equator_limit(const burnish_theory_model *model) {
+    double degree = 2, factor = 1;
+    for (int i = 0; i < model->steps; ++i) {
+        const double b = model->k[i];
+        degree *= b > 0 ? 1 : 2;
+        factor = b > 0 ? factor * b / (1 + b) : factor * factor;
+    }
+    return model->exponent > degree ? HUGE_VAL : model->exponent < degree ? -1 : factor - 1;
+}
 
 /* The limit of lobe / cos^n - 1 at c = 0, where both are 0. */
 static double equator_limit(const burnish_theory_model *model) {
@@ -211,6 +256,8 @@ static double equator_limit(const burnish_theory_model *model) {
                : model->zeta > 1       ? -1
                : n > model->lobe.order ? HUGE_VAL
                                        : 0;
+    case BURNISH_LOBE_COMPOSITE:
+        return model->zeta > 1 ? -1 : composite_equator_limit(model);
     case BURNISH_LOBE_NV2X:
         return model->zeta > 1 ? -1 : 0;
     case BURNISH_LOBE_GAUSSIAN:
@@ -234,6 +281,8 @@ static void scan(burnish_theory_difference *result, const burnish_theory_model *
         scan_table(result, model, end);
     } else if (model->lobe.kind == BURNISH_LOBE_KUIJK_BLAKE) {
         scan_bounded(result, model, end);
+    } else if (model->lobe.kind == BURNISH_LOBE_COMPOSITE) {
+        scan_grid(result, model, end);
     } else {
         scan_smooth(result, model, end);
     }
@@ -314,7 +363,8 @@ double burnish_theory_relative_error(const burnish_theory_model *model, double a
 
 static double extreme_lambda(const burnish_theory_model *model) {
     double n = model->exponent, m = model->lobe.order, zeta = model->zeta;
-    if (m == 0 || !(zeta > 1 && n > m && n >= m * zeta)) {
+    if (m == 0 || model->lobe.kind == BURNISH_LOBE_COMPOSITE ||
+        !(zeta > 1 && n > m && n >= m * zeta)) {
         return NAN;
     }
     return (n - m * zeta) / (zeta * (n - m));

@@ -72,6 +72,7 @@ static double closed_integral(const burnish_theory_model *model, int weighted, d
     }
     case BURNISH_LOBE_GAUSSIAN:
         return gaussian_integral(model->exponent + 0.775, weighted, end);
+    case BURNISH_LOBE_COMPOSITE:
     case BURNISH_LOBE_SCHLICK:
     case BURNISH_LOBE_GX:
     case BURNISH_LOBE_NV2X:

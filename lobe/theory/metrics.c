@@ -15,8 +15,9 @@ static burnish_theory_model power_of(const burnish_theory_model *model) {
 }
 
 static double zeta(const burnish_theory_model *model) {
-    int has_slope =
-        model->lobe.kind == BURNISH_LOBE_FAMILY || model->lobe.kind == BURNISH_LOBE_LYON;
+    int has_slope = model->lobe.kind == BURNISH_LOBE_FAMILY ||
+                    model->lobe.kind == BURNISH_LOBE_LYON ||
+                    model->lobe.kind == BURNISH_LOBE_COMPOSITE;
     return has_slope ? model->zeta : NAN;
 }
 

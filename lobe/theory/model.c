@@ -42,6 +42,11 @@ burnish_lobe_status burnish_theory_model_create(burnish_theory_model *model,
     case BURNISH_LOBE_LYON:
         status = burnish_lobe_solve(lobe, exponent, &made.zeta, &made.scale);
         break;
+    case BURNISH_LOBE_COMPOSITE:
+        status = burnish_composite_check(lobe->aim, lobe->order, exponent);
+        made.steps =
+            burnish_composite_constants(lobe->aim, lobe->order, exponent, &made.zeta, made.k) - 2;
+        break;
     case BURNISH_LOBE_NV2X:
     case BURNISH_LOBE_KUIJK_BLAKE:
         if (status == BURNISH_LOBE_OK) {

@@ -57,6 +57,14 @@ static double kuijk_blake_value(const burnish_theory_model *model, double lambda
     return x < b ? (b - x) * (b - x) / (b * (b - a)) : 0;
 }
 
+static double composite_value(const burnish_theory_model *model, double lambda) {
+    double w = base_power(1 - model->zeta * lambda, 2);
+    for (int i = 0; i < model->steps; ++i) {
+        w *= (w + model->k[i]) / (1 + model->k[i]);
+    }
+    return w;
+}
+
 double burnish_theory_value_at_lambda(const burnish_theory_model *model, double lambda) {
     double n = model->exponent;
     if (!(lambda <= HUGE_VAL)) {
@@ -67,6 +75,8 @@ double burnish_theory_value_at_lambda(const burnish_theory_model *model, double 
     case BURNISH_LOBE_FAMILY:
     case BURNISH_LOBE_LYON:
         return model->scale * base_power(1 - model->zeta * lambda, model->lobe.order);
+    case BURNISH_LOBE_COMPOSITE:
+        return composite_value(model, lambda);
     case BURNISH_LOBE_POWER:
         return burnish_theory_power_at_lambda(lambda, n);
     case BURNISH_LOBE_SCHLICK:
@@ -105,7 +115,18 @@ static void lambda_slopes(const burnish_theory_model *model, double lambda, doub
     double n = model->exponent, c = 1 - lambda, m = model->lobe.order, a = model->zeta;
     double u = 1 - a * lambda;
     slope[0] = slope[1] = 0;
-    if (model->lobe.kind == BURNISH_LOBE_FAMILY || model->lobe.kind == BURNISH_LOBE_LYON) {
+    if (model->lobe.kind == BURNISH_LOBE_COMPOSITE && u >= -1e-14) {
+        u = u > 0 ? u : 0;
+        double w = u * u;
+        slope[0] = -2 * a * u;
+        slope[1] = 2 * a * a;
+        for (int i = 0; i < model->steps; ++i) { /* the chain rule */
+            const double b = model->k[i], first = (2 * w + b) / (1 + b), second = 2 / (1 + b);
+            slope[1] = second * slope[0] * slope[0] + first * slope[1];
+            slope[0] *= first;
+            w *= (w + b) / (1 + b);
+        }
+    } else if (model->lobe.kind == BURNISH_LOBE_FAMILY || model->lobe.kind == BURNISH_LOBE_LYON) {
         if (u >= -1e-14) { /* the zero itself belongs to the peak's side; 1e-14 for rounding */
             u = u > 0 ? u : 0;
             slope[0] = -model->scale * m * a * pow(u, m - 1);

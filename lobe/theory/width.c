@@ -8,6 +8,7 @@ static double zero_lambda(const burnish_theory_model *model) {
     case BURNISH_LOBE_FAMILY:
     case BURNISH_LOBE_LYON:
     case BURNISH_LOBE_NV2X:
+    case BURNISH_LOBE_COMPOSITE:
         return 1 / model->zeta;
     case BURNISH_LOBE_KUIJK_BLAKE:
         return burnish_theory_lambda_of_angle(model->k[1]);
@@ -54,12 +55,23 @@ static double kuijk_blake_lambda_at(const burnish_theory_model *model, double le
     return burnish_theory_lambda_of_angle(x);
 }
 
+/* Undoes the steps, from the last. */
+static double composite_lambda_at(const burnish_theory_model *model, double level) {
+    for (int i = model->steps; i-- > 0;) {
+        const double b = model->k[i], product = (1 + b) * level;
+        level = 2 * product / (b + sqrt(b * b + 4 * product));
+    }
+    return (1 - sqrt(level)) / model->zeta;
+}
+
 static double lambda_at_positive(const burnish_theory_model *model, double level) {
     double n = model->exponent, h = 0.5 * n;
     switch (model->lobe.kind) {
     case BURNISH_LOBE_FAMILY:
     case BURNISH_LOBE_LYON:
         return -expm1(log(level / model->scale) / model->lobe.order) / model->zeta;
+    case BURNISH_LOBE_COMPOSITE:
+        return composite_lambda_at(model, level);
     case BURNISH_LOBE_POWER:
         return -expm1(log(level) / n);
     case BURNISH_LOBE_SCHLICK:
@@ -109,6 +121,11 @@ static void slopes_at_zero(const burnish_theory_model *model, double slope[2]) {
     slope[0] = slope[1] = 0;
     if (model->lobe.kind == BURNISH_LOBE_FAMILY || model->lobe.kind == BURNISH_LOBE_LYON) {
         slope[1] = model->lobe.order == 2 ? model->scale * (4 * a - 2) : 0;
+    } else if (model->lobe.kind == BURNISH_LOBE_COMPOSITE) {
+        slope[1] = 4 * a - 2;
+        for (int i = 0; i < model->steps; ++i) {
+            slope[1] *= model->k[i] / (1 + model->k[i]);
+        }
     } else if (model->lobe.kind == BURNISH_LOBE_NV2X) {
         double b = -model->k[1] * a, d = 1 + b / a, first = -(a + b) / (d * d);
         double cosine = 1 - 1 / a, squared_sine = (2 - 1 / a) / a;

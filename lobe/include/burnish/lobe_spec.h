@@ -36,6 +36,7 @@ typedef enum burnish_lobe_kind {
     BURNISH_LOBE_LYON,          /* taylor, from the chord of two nearly unit vectors */
     BURNISH_LOBE_GAUSSIAN,      /* exp(-(n + 0.775) (1 - c)) */
     BURNISH_LOBE_GX,            /* c^2 / (n/2 + (1 - n/2) c^2) */
+    BURNISH_LOBE_COMPOSITE,     /* burnish_composite of lobe.h; an aim sets its constants */
     BURNISH_LOBE_NV2X,          /* max(0, c + k0) / (k2 + k1 c); theory.h only, like the next two */
     BURNISH_LOBE_KUIJK_BLAKE,   /* quadratic in the angle, in two pieces */
     BURNISH_LOBE_TABLE,         /* c^n at c = i / (entries - 1), nearest or linear */
@@ -48,12 +49,14 @@ typedef enum burnish_lobe_kind {
 /* A lobe without its exponent, which each material sets. */
 typedef struct burnish_lobe_spec {
     burnish_lobe_kind kind;
-    burnish_lobe_fit fit; /* FAMILY */
-    int order;            /* FAMILY, LYON: m = 2, 4, 8, 16 or 32 */
-    double parameter;     /* FAMILY with fit LEVEL: Q in (0, 1); with fit GIVEN: zeta in
+    burnish_lobe_fit fit;      /* FAMILY */
+    burnish_composite_aim aim; /* COMPOSITE */
+    int order;        /* FAMILY, LYON: m = 2, 4, 8, 16 or 32; COMPOSITE: multiplications, 2 to
+                             6, with aim DISPLAY 5 or 6 */
+    double parameter; /* FAMILY with fit LEVEL: Q in (0, 1); with fit GIVEN: zeta in
                              (0, 65536] */
-    int entries;          /* TABLE: number of entries, [2, BURNISH_LOBE_ENTRIES_MAX] */
-    int linear;           /* TABLE: 1: linear interpolation; 0: the nearest entry */
+    int entries;      /* TABLE: number of entries, [2, BURNISH_LOBE_ENTRIES_MAX] */
+    int linear;       /* TABLE: 1: linear interpolation; 0: the nearest entry */
 } burnish_lobe_spec;
 
 /* Parses the words of a lobe:
@@ -61,6 +64,7 @@ typedef struct burnish_lobe_spec {
  *                 leastsquares, affine or zetaZ, and order 2 by default. Q and Z are decimal
  *                 numbers with at most 15 digits, without leading zeros, and 20 decimals
  *   lyon[:ORDER]
+ *   composite[:M]  with M = 2 to 6 multiplications, 5 by default; display[:M] with M = 5 or 6
  *   power, schlick, gaussian, gx
  * Parameters:
  *   text   the words, zero-terminated; not NULL
@@ -82,8 +86,8 @@ BURNISH_API burnish_status burnish_lobe_spec_parse_any(const char *text, burnish
 #define BURNISH_LOBE_NAME_SIZE 32
 BURNISH_API void burnish_lobe_spec_name(const burnish_lobe_spec *lobe, char *text, size_t size);
 
-/* Checks whether render.h and kernels.h can draw a lobe: its kind, fit, order and parameter.
- * burnish_lobe_solve() checks the exponent.
+/* Checks whether render.h and kernels.h can draw a lobe: its kind, fit, aim, order and parameter.
+ * burnish_lobe_solve() and burnish_composite_create() check the exponent.
  *   lobe   not NULL
  *   error  receives the message; may be NULL
  * Errors: ARGUMENT. */
@@ -117,7 +121,7 @@ BURNISH_API burnish_status burnish_lobe_spec_check(const burnish_lobe_spec *lobe
  *             AFFINE at order 2; any for GIVEN
  *   zeta      receives the slope, 0 on error; not NULL
  *   scale     receives the value at the peak, 0 on error; not NULL
- * Errors: ERROR_FIT (or another kind), ERROR_ORDER, ERROR_EXPONENT, ERROR_ORDER_FOR_EXPONENT,
+ * Errors: ERROR_FIT (or another kind: a composite has no slope and scale), ERROR_ORDER, ERROR_EXPONENT, ERROR_ORDER_FOR_EXPONENT,
  * ERROR_LEVEL, ERROR_ZETA. NaN is an error.
  * Source: minimax by Beaudoin and Guardado 2002, whose tables it reproduces. */
 BURNISH_API burnish_lobe_status burnish_lobe_solve(const burnish_lobe_spec *lobe, double exponent,

@@ -66,13 +66,16 @@ BURNISH_THEORY_API double burnish_theory_gx(double cosine, double exponent);
 typedef struct burnish_theory_model {
     burnish_lobe_spec lobe; /* any kind but INTEGER_POWER */
     double exponent;        /* n of the cos^n that it approximates: [1, 65536] */
-    double zeta;            /* FAMILY, LYON: the slope; NV2X: 1 / (1 + k0); otherwise 0 */
-    double scale;           /* value at the peak: 1, in (0, 1) with fit AFFINE */
-    double k[3];            /* NV2X: k0, k1, k2; KUIJK_BLAKE: a, b of the formula below, 0 */
+    double zeta;  /* FAMILY, LYON, COMPOSITE: the slope; NV2X: 1 / (1 + k0); otherwise 0 */
+    double scale; /* value at the peak: 1, in (0, 1) with fit AFFINE */
+    double k[4];  /* NV2X: k0, k1, k2; KUIJK_BLAKE: a, b of the formula below;
+                               COMPOSITE: b of each step; the others are 0 */
+    int steps;    /* COMPOSITE: number of b */
 } burnish_theory_model;
 
 /* Makes the model of a lobe.
  *   family, lyon   burnish_lobe_solve
+ *   composite      burnish_composite_constants()
  *   nv2x           a Moebius function of the cosine, as in NVIDIA's NV1x and NV2x chips. Their
  *                  constants are known to two digits, from reverse engineering. k0, k1 and k2 are
  *                  the best of this form: value 1 at the peak, least maximum error
@@ -85,7 +88,7 @@ typedef struct burnish_theory_model {
  *   model     receives the model, on error cos^1; not NULL
  *   lobe      any but INTEGER_POWER; may be a member of model; not NULL
  *   exponent  n: [1, 65536]; for FAMILY and LYON as for burnish_lobe_solve
- * Errors: as for burnish_lobe_solve; ERROR_FIT for another kind, ERROR_EXPONENT, ERROR_ORDER for a
+ * Errors: as for burnish_lobe_solve; ERROR_COMPOSITE; ERROR_FIT for another kind, ERROR_EXPONENT, ERROR_ORDER for a
  * table's number of entries. */
 BURNISH_THEORY_API burnish_lobe_status burnish_theory_model_create(burnish_theory_model *model,
                                                                    const burnish_lobe_spec *lobe,

@@ -174,7 +174,8 @@ static double limit(void) {
 static void check_sampling(const burnish_theory_model *model, const char *name) {
     int table = model->lobe.kind == BURNISH_LOBE_TABLE;
     int quick =
-        (model->lobe.order > 0 && model->zeta >= 1) || model->lobe.kind == BURNISH_LOBE_POWER;
+        (model->lobe.order > 0 && model->zeta >= 1 && model->lobe.kind != BURNISH_LOBE_COMPOSITE) ||
+        model->lobe.kind == BURNISH_LOBE_POWER;
     for (int measure = 0; measure < 2; ++measure) {
         double x = chi_square(model, (burnish_theory_measure)measure, burnish_theory_sample_cosine,
                               quick   ? MANY

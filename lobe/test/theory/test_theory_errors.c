@@ -216,7 +216,8 @@ static void check_choice(void) {
         for (size_t w = 0; burnish_lobe_spec_example(w); ++w) { /* nothing cheaper is as good */
             burnish_theory_model other;
             if (burnish_theory_model_parse(burnish_lobe_spec_example(w), rows[i].n, &other, NULL) ||
-                other.lobe.entries || (other.scale < 1 && !rows[i].affine)) {
+                other.lobe.entries || other.lobe.kind == BURNISH_LOBE_COMPOSITE ||
+                (other.scale < 1 && !rows[i].affine)) {
                 continue;
             }
             burnish_theory_cost its = burnish_theory_model_cost(&other);
