@@ -14,7 +14,7 @@
 enum { BURNISH_BATCH_STREAMS = 13 + 12 };
 
 /* Without a lobe, and the family's two: the first of burnish_lobe_body. */
-enum { BURNISH_CODE_BODIES = 3 };
+enum { BURNISH_CODE_BODIES = 4 };
 
 struct burnish_ground_view;
 struct burnish_kernels_points;

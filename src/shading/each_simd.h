@@ -15,7 +15,7 @@ BURNISH_INLINE each_lobe each_lobe_of(int body, const burnish_point_materials *m
     const vf one = vf_set(1.0f), rounder = vf_set(12582912.0f);
     each_lobe lobe = {.scale = one, .zeta = one};
     lobe.exponent = vf_min(vf_max(exponent, vf_set(materials->least_exponent)), vf_set(65536.0f));
-    if (shade_is_family(body)) {
+    if (lobe_has_base(body)) {
         const vf at = vf_max(vf_mul(vector_log2(lobe.exponent), vf_set((float)BURNISH_EACH_STEPS)),
                              vf_set(0.0f));
         const vf below =
@@ -42,7 +42,7 @@ BURNISH_INLINE vf each_value(int body, const burnish_kernels_shader *shader, con
     case BURNISH_LOBE_BODY_SQUARE:
     case BURNISH_LOBE_BODY_SQUARES:
         c = vector_saturate(vf_sub(one, vf_mul(lobe->zeta, vf_sub(one, cosine))));
-        return lobe_squares(c, body, shader->lobe.squarings);
+        return lobe_of_base(body, &shader->lobe, c);
     case BURNISH_LOBE_BODY_POWER:
         return vector_power(cosine, n);
     case BURNISH_LOBE_BODY_SCHLICK:

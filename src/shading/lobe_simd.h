@@ -15,13 +15,26 @@ enum { STREAM_BYTES = 8 << 20 };
  * bench/NOTES.md has the figures. */
 enum { STREAM_AHEAD = 512 };
 
-/* u^m by squarings. */
-BURNISH_INLINE vf lobe_squares(vf u, int body, int squarings) {
+/* Whether a lobe is a polynomial in a base, which is linear in the cosine and clamped. */
+BURNISH_INLINE int lobe_has_base(int body) {
+    return body == BURNISH_LOBE_BODY_SQUARE || body == BURNISH_LOBE_BODY_SQUARES ||
+           body == BURNISH_LOBE_BODY_COMPOSITE;
+}
+
+/* The base at the peak. */
+BURNISH_INLINE vf lobe_top(int body, const burnish_lobe_constants *lobe) {
+    return vf_set(body == BURNISH_LOBE_BODY_COMPOSITE ? lobe->top : 1.0f);
+}
+
+/* The lobe from its base: u^m by squarings, or the products of a composite. */
+BURNISH_INLINE vf lobe_of_base(int body, const burnish_lobe_constants *lobe, vf u) {
     u = vf_mul(u, u);
-    if (body == BURNISH_LOBE_BODY_SQUARES) {
-        for (int k = 1; k < squarings; ++k) {
-            u = vf_mul(u, u);
+    for (int k = 1; body != BURNISH_LOBE_BODY_SQUARE && k < lobe->squarings; ++k) {
+        vf factor = u;
+        if (body == BURNISH_LOBE_BODY_COMPOSITE) {
+            factor = vf_add(u, vf_set(lobe->offset[k - 1]));
         }
+        u = vf_mul(u, factor);
     }
     return u;
 }
@@ -41,7 +54,7 @@ BURNISH_INLINE vf lobe_multiply(vf c, uint32_t n) {
     return result;
 }
 
-/* A lobe other than the family at a cosine, as burnish/lobe.h and burnish/kernels.h define it. */
+/* A lobe without a base at a cosine, as burnish/lobe.h and burnish/kernels.h define it. */
 BURNISH_INLINE vf lobe_of_cosine(int body, const burnish_lobe_constants *lobe, vf cosine) {
     const vf one = vf_set(1.0f), exponent = vf_set(lobe->exponent);
     vf c, lambda;
@@ -71,10 +84,10 @@ BURNISH_INLINE vf lobe_of_cosine(int body, const burnish_lobe_constants *lobe, v
 
 BURNISH_INLINE vf lobe_of(int body, int from_lambda, const burnish_lobe_constants *lobe, vf x) {
     const vf one = vf_set(1.0f);
-    if (body == BURNISH_LOBE_BODY_SQUARE || body == BURNISH_LOBE_BODY_SQUARES) {
-        vf lambda = from_lambda ? x : vf_sub(one, x);
-        vf u = vector_saturate(vf_sub(one, vf_mul(vf_set(lobe->zeta), lambda)));
-        return lobe_squares(u, body, lobe->squarings);
+    if (lobe_has_base(body)) {
+        const vf lambda = from_lambda ? x : vf_sub(one, x), top = lobe_top(body, lobe);
+        const vf u = vf_sub(top, vf_mul(vf_set(lobe->zeta), lambda));
+        return lobe_of_base(body, lobe, vf_min(vf_max(u, vf_set(0.0f)), top));
     }
     return lobe_of_cosine(body, lobe, from_lambda ? vf_sub(one, x) : x);
 }

@@ -1,5 +1,5 @@
 /* The lighting equation over vectors of points of several materials, for directional lights and a
- * distant viewer where all lobes are the family's of one order. A point's sums have the order of
+ * distant viewer where all lobes are the family's of one order, or one composite. A point's sums have the order of
  * shade_simd.h, so they have the bits of its own material's kernel. */
 #ifndef BURNISH_SHADING_MIXED_SIMD_H
 #define BURNISH_SHADING_MIXED_SIMD_H
@@ -69,8 +69,8 @@ BURNISH_INLINE void mixed_add(int body, const mixed_materials *mixed, int l, con
         sums->diffuse[k] = vf_add(sums->diffuse[k], vf_mul(n_dot_l, light.diffuse[k]));
     }
     if (vm_any(shines)) {
-        const vf lobe =
-            lobe_squares(vf_and_mask(shines, vf_min(u, vf_set(1.0f))), body, first->lobe.squarings);
+        const vf lobe = lobe_of_base(body, &first->lobe,
+                                     vf_and_mask(shines, vf_min(u, lobe_top(body, &first->lobe))));
         for (int k = 0; k < 3; ++k) {
             sums->specular[k] = vf_add(sums->specular[k], vf_mul(lobe, light.specular[k]));
         }
@@ -122,6 +122,8 @@ MIXED_FUNCTION(square, BURNISH_LOBE_BODY_SQUARE, 0)
 MIXED_FUNCTION(squares, BURNISH_LOBE_BODY_SQUARES, 0)
 MIXED_FUNCTION(square_alike, BURNISH_LOBE_BODY_SQUARE, 1)
 MIXED_FUNCTION(squares_alike, BURNISH_LOBE_BODY_SQUARES, 1)
+MIXED_FUNCTION(composite, BURNISH_LOBE_BODY_COMPOSITE, 0)
+MIXED_FUNCTION(composite_alike, BURNISH_LOBE_BODY_COMPOSITE, 1)
 #undef MIXED_FUNCTION
 
 #endif

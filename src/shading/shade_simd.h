@@ -43,10 +43,6 @@ BURNISH_INLINE vf shade_dot_constant(const vf a[3], const float b[3]) {
                   vf_mul(a[2], vf_set(b[2])));
 }
 
-BURNISH_INLINE int shade_is_family(int body) {
-    return body == BURNISH_LOBE_BODY_SQUARE || body == BURNISH_LOBE_BODY_SQUARES;
-}
-
 BURNISH_INLINE void shade_add_diffuse(shade_kernel kernel, const burnish_light_constants *light,
                                       vf n_dot_l, shade_sums *sums) {
     for (int k = 0; k < kernel.channels; ++k) {
@@ -63,22 +59,20 @@ BURNISH_INLINE void shade_add_specular(shade_kernel kernel, const burnish_light_
     }
 }
 
-/* The family from its base u, where lit and above 0; adds nothing where no lane is. */
-BURNISH_INLINE void shade_add_family(shade_kernel kernel, const burnish_kernels_shader *shader,
-                                     const burnish_light_constants *light, vm lit, vf u,
-                                     shade_sums *sums) {
+/* A lobe from its base u, where lit and above 0; adds nothing where no lane is. */
+BURNISH_INLINE void shade_add_base(shade_kernel kernel, const burnish_kernels_shader *shader,
+                                   const burnish_light_constants *light, vm lit, vf u,
+                                   shade_sums *sums) {
+    const vf top = lobe_top(kernel.body, &shader->lobe);
     if (kernel.channels == 1) { /* too little to skip */
-        u = vf_min(vf_max(u, vf_set(0.0f)), vf_set(1.0f));
-        u = vf_and_mask(lit, u);
-        shade_add_specular(kernel, light, lobe_squares(u, kernel.body, shader->lobe.squarings),
-                           sums);
+        u = vf_and_mask(lit, vf_min(vf_max(u, vf_set(0.0f)), top));
+        shade_add_specular(kernel, light, lobe_of_base(kernel.body, &shader->lobe, u), sums);
         return;
     }
     vm shines = vm_and(lit, vf_greater(u, vf_set(0.0f)));
     if (vm_any(shines)) {
-        u = vf_and_mask(shines, vf_min(u, vf_set(1.0f)));
-        shade_add_specular(kernel, light, lobe_squares(u, kernel.body, shader->lobe.squarings),
-                           sums);
+        u = vf_and_mask(shines, vf_min(u, top));
+        shade_add_specular(kernel, light, lobe_of_base(kernel.body, &shader->lobe, u), sums);
     }
 }
 
@@ -91,9 +85,9 @@ BURNISH_INLINE void shade_add_distant(shade_kernel kernel, const burnish_kernels
         return;
     }
     vm lit = vf_greater(n_dot_l, vf_set(0.0f));
-    if (shade_is_family(kernel.body)) {
+    if (lobe_has_base(kernel.body)) {
         vf u = vf_add(cosine, vf_set(shader->offset)); /* zeta is in the half vector */
-        shade_add_family(kernel, shader, light, lit, u, sums);
+        shade_add_base(kernel, shader, light, lit, u, sums);
     } else if (vm_any(lit)) {
         vf lobe = vf_and_mask(lit, lobe_of_cosine(kernel.body, &shader->lobe, cosine));
         shade_add_specular(kernel, light, lobe, sums);
@@ -152,16 +146,16 @@ BURNISH_INLINE void shade_general_specular(shade_kernel kernel,
         /* opposite L and V leave no half vector: any bound that is not 0 will do */
         vf squared = vf_max(vf_add(two, vf_mul(two, cosines->l_dot_v)), vf_set(0x1p-20f));
         vf sum = vf_add(cosines->n_dot_l, at->n_dot_v);
-        if (shade_is_family(kernel.body) && shade_is_dark(shader, lit, sum, squared)) {
+        if (lobe_has_base(kernel.body) && shade_is_dark(shader, lit, sum, squared)) {
             return;
         }
         cosine = vf_mul(sum, vector_inverse_sqrt(squared));
     }
-    if (shade_is_family(kernel.body)) {
+    if (lobe_has_base(kernel.body)) {
         vf u = shader->lyon
                    ? shade_lyon(shader, at->squared_n, at->inverse_n, cosine)
                    : vf_add(vf_mul(cosine, vf_set(shader->lobe.zeta)), vf_set(shader->offset));
-        shade_add_family(kernel, shader, light, lit, u, sums);
+        shade_add_base(kernel, shader, light, lit, u, sums);
     } else if (vm_any(lit)) {
         vf lobe = vf_and_mask(lit, lobe_of_cosine(kernel.body, &shader->lobe, cosine));
         shade_add_specular(kernel, light, lobe, sums);
@@ -424,6 +418,7 @@ SHADE_FUNCTIONS(multiply, BURNISH_LOBE_BODY_MULTIPLY)
 SHADE_FUNCTIONS(schlick, BURNISH_LOBE_BODY_SCHLICK)
 SHADE_FUNCTIONS(gaussian, BURNISH_LOBE_BODY_GAUSSIAN)
 SHADE_FUNCTIONS(gx, BURNISH_LOBE_BODY_GX)
+SHADE_FUNCTIONS(composite, BURNISH_LOBE_BODY_COMPOSITE)
 #undef SHADE_FUNCTIONS
 #undef SHADE_FUNCTION
 

@@ -38,6 +38,23 @@ static burnish_status family_constants(const burnish_lobe_spec *lobe, float expo
     return BURNISH_STATUS_OK;
 }
 
+static burnish_status composite_constants(const burnish_lobe_spec *lobe, float exponent,
+                                          burnish_lobe_constants *constants, burnish_error *error) {
+    burnish_composite made;
+    const burnish_lobe_status status =
+        burnish_composite_create(&made, lobe->aim, lobe->order, exponent);
+    if (status != BURNISH_LOBE_OK) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lobe: composite at exponent %g: %s",
+                            (double)exponent, burnish_lobe_status_text(status));
+    }
+    constants->body = BURNISH_LOBE_BODY_COMPOSITE;
+    constants->squarings = made.multiplications - 1;
+    constants->zeta = made.slope;
+    constants->top = made.top;
+    memcpy(constants->offset, made.offset, sizeof made.offset);
+    return BURNISH_STATUS_OK;
+}
+
 /* The exponent's constants; all fields are set, whichever the body reads. */
 static void exponent_constants(float n, int body, burnish_lobe_constants *constants) {
     const double ln2 = 0.693147180559945309417, log2_e = 1.44269504088896340736;
@@ -62,6 +79,7 @@ burnish_status burnish_lobe_constants_make(const burnish_lobe_spec *lobe, float 
     const float n = exponent;
     memset(constants, 0, sizeof *constants);
     constants->body = BURNISH_LOBE_BODY_NONE;
+    constants->top = 1.0f;
     *scale = 1.0f;
     burnish_status status = burnish_lobe_spec_check(lobe, error);
     if (status != BURNISH_STATUS_OK) {
@@ -69,6 +87,9 @@ burnish_status burnish_lobe_constants_make(const burnish_lobe_spec *lobe, float 
     }
     if (lobe->kind == BURNISH_LOBE_FAMILY || lobe->kind == BURNISH_LOBE_LYON) {
         return family_constants(lobe, n, constants, scale, error);
+    }
+    if (lobe->kind == BURNISH_LOBE_COMPOSITE) {
+        return composite_constants(lobe, n, constants, error);
     }
     if (!(n >= BURNISH_LOBE_EXPONENT_MIN && n <= BURNISH_LOBE_EXPONENT_MAX)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -209,10 +230,10 @@ static void fold_light(const burnish_kernels_lighting *lighting, const burnish_m
     }
 }
 
-/* Below this cosine the family is dark whatever the rounding: 1e-5 is ten times what the cosine of
+/* Below this cosine lobes with a base are dark whatever the rounding: 1e-5 is ten times what the cosine of
  * a point can be off. */
 static float find_cutoff(const burnish_lobe_constants *lobe) {
-    double cutoff = lobe->zeta > 0.0f ? 1.0 - 1.0 / (double)lobe->zeta - 1e-5 : -1.0;
+    double cutoff = lobe->zeta > 0.0f ? 1.0 - (double)lobe->top / (double)lobe->zeta - 1e-5 : -1.0;
     return cutoff > 0.0 ? (float)cutoff : -1.0f;
 }
 
@@ -244,7 +265,7 @@ burnish_status burnish_shader_fold(const burnish_kernels_lighting *lighting,
     shader->needs_position = shader->local_viewer;
     shader->lights = lights;
     shader->light_count = lighting->light_count;
-    shader->offset = (float)(1.0 - (double)shader->lobe.zeta);
+    shader->offset = (float)((double)shader->lobe.top - (double)shader->lobe.zeta);
     shader->cutoff = shader->lyon ? -1.0f : find_cutoff(&shader->lobe);
     for (int k = 0; k < 3; ++k) {
         const float ambient = lighting->ambient_light[k] * material->ambient[k];

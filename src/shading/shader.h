@@ -10,9 +10,10 @@
 
 /* The bodies that lobes are evaluated by. */
 typedef enum burnish_lobe_body {
-    BURNISH_LOBE_BODY_NONE,     /* 0 */
-    BURNISH_LOBE_BODY_SQUARE,   /* the family, m = 2 */
-    BURNISH_LOBE_BODY_SQUARES,  /* the family, m = 4 .. 32 */
+    BURNISH_LOBE_BODY_NONE,    /* 0 */
+    BURNISH_LOBE_BODY_SQUARE,  /* the family, m = 2 */
+    BURNISH_LOBE_BODY_SQUARES, /* the family, m = 4 .. 32 */
+    BURNISH_LOBE_BODY_COMPOSITE,
     BURNISH_LOBE_BODY_POWER,    /* any exponent, by polynomials */
     BURNISH_LOBE_BODY_MULTIPLY, /* whole exponents, by multiplications */
     BURNISH_LOBE_BODY_SCHLICK,
@@ -30,20 +31,22 @@ enum { BURNISH_SHADE_DISTANT, BURNISH_SHADE_GENERAL, BURNISH_SHADE_GEOMETRY_COUN
 enum { BURNISH_SHADE_RGBA8, BURNISH_SHADE_FLOAT, BURNISH_SHADE_OUTPUT_COUNT };
 
 typedef struct burnish_lobe_constants {
-    int body;       /* burnish_lobe_body */
-    int squarings;  /* family: log2 of the order */
-    float zeta;     /* family */
-    float exponent; /* n */
-    float slope;    /* factor in an exponent or denominator */
-    float least;    /* MULTIPLY: the cosine up to which cos^n is below 2^-126 */
-    uint32_t whole; /* MULTIPLY: n */
+    int body;        /* burnish_lobe_body */
+    int squarings;   /* family: log2 of the order; composites: products of the base */
+    float zeta;      /* slope of the base, of family and composites */
+    float top;       /* value of the base at the peak: 1 for the family */
+    float offset[4]; /* composites: of each product after the first */
+    float exponent;  /* n */
+    float slope;     /* factor in an exponent or denominator */
+    float least;     /* MULTIPLY: the cosine up to which cos^n is below 2^-126 */
+    uint32_t whole;  /* MULTIPLY: n */
 } burnish_lobe_constants;
 
 /* A light: colours times material, for results in [0, 255] and in [0, 1] (BURNISH_SHADE_...). */
 typedef struct burnish_light_constants {
     int is_point;
     float vector[3];
-    float half[3]; /* of a distant light and viewer: H, with the family zeta H */
+    float half[3]; /* of a distant light and viewer: H, zeta H for lobes with a base */
     float diffuse[2][3], specular[2][3];
 } burnish_light_constants;
 
@@ -53,8 +56,8 @@ struct burnish_kernels_shader {
     int light_count;
     int geometry; /* which kernel: BURNISH_SHADE_DISTANT or GENERAL */
     int phong, lyon, local_viewer, needs_position;
-    float offset; /* family: 1 - zeta */
-    float cutoff; /* family: cosines below it are surely dark; -1 where there are none */
+    float offset; /* base of the lobe at cosine 0: 1 - zeta for the family */
+    float cutoff; /* cosines below it are surely dark; -1 where there are none */
     float viewer[3];
     float ambient[2][3];
     burnish_lobe_constants lobe;

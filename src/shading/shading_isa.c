@@ -26,6 +26,7 @@ LOBE_FUNCTIONS(multiply, BURNISH_LOBE_BODY_MULTIPLY)
 LOBE_FUNCTIONS(schlick, BURNISH_LOBE_BODY_SCHLICK)
 LOBE_FUNCTIONS(gaussian, BURNISH_LOBE_BODY_GAUSSIAN)
 LOBE_FUNCTIONS(gx, BURNISH_LOBE_BODY_GX)
+LOBE_FUNCTIONS(composite, BURNISH_LOBE_BODY_COMPOSITE)
 #undef LOBE_FUNCTIONS
 
 #define LOBE_ROW(name)                                                                             \
@@ -46,7 +47,8 @@ const burnish_shading_ops BURNISH_ISA_TABLE(burnish_shading_ops, VECTOR_WORD) = 
              [BURNISH_LOBE_BODY_MULTIPLY] = LOBE_ROW(multiply),
              [BURNISH_LOBE_BODY_SCHLICK] = LOBE_ROW(schlick),
              [BURNISH_LOBE_BODY_GAUSSIAN] = LOBE_ROW(gaussian),
-             [BURNISH_LOBE_BODY_GX] = LOBE_ROW(gx)},
+             [BURNISH_LOBE_BODY_GX] = LOBE_ROW(gx),
+             [BURNISH_LOBE_BODY_COMPOSITE] = LOBE_ROW(composite)},
     .shade = {[BURNISH_LOBE_BODY_NONE] = SHADE_ROW(none),
               [BURNISH_LOBE_BODY_SQUARE] = SHADE_ROW(square),
               [BURNISH_LOBE_BODY_SQUARES] = SHADE_ROW(squares),
@@ -54,7 +56,8 @@ const burnish_shading_ops BURNISH_ISA_TABLE(burnish_shading_ops, VECTOR_WORD) = 
               [BURNISH_LOBE_BODY_MULTIPLY] = SHADE_ROW(multiply),
               [BURNISH_LOBE_BODY_SCHLICK] = SHADE_ROW(schlick),
               [BURNISH_LOBE_BODY_GAUSSIAN] = SHADE_ROW(gaussian),
-              [BURNISH_LOBE_BODY_GX] = SHADE_ROW(gx)},
+              [BURNISH_LOBE_BODY_GX] = SHADE_ROW(gx),
+              [BURNISH_LOBE_BODY_COMPOSITE] = SHADE_ROW(composite)},
     .shade_each = {[BURNISH_LOBE_BODY_NONE] = each_none,
                    [BURNISH_LOBE_BODY_SQUARE] = each_square,
                    [BURNISH_LOBE_BODY_SQUARES] = each_squares,
@@ -62,9 +65,11 @@ const burnish_shading_ops BURNISH_ISA_TABLE(burnish_shading_ops, VECTOR_WORD) = 
                    [BURNISH_LOBE_BODY_MULTIPLY] = each_power,
                    [BURNISH_LOBE_BODY_SCHLICK] = each_schlick,
                    [BURNISH_LOBE_BODY_GAUSSIAN] = each_gaussian,
-                   [BURNISH_LOBE_BODY_GX] = each_gx},
+                   [BURNISH_LOBE_BODY_GX] = each_gx,
+                   [BURNISH_LOBE_BODY_COMPOSITE] = each_power},
     .shade_mixed = {[BURNISH_LOBE_BODY_SQUARE] = {mixed_square, mixed_square_alike},
-                    [BURNISH_LOBE_BODY_SQUARES] = {mixed_squares, mixed_squares_alike}},
+                    [BURNISH_LOBE_BODY_SQUARES] = {mixed_squares, mixed_squares_alike},
+                    [BURNISH_LOBE_BODY_COMPOSITE] = {mixed_composite, mixed_composite_alike}},
     .add_environment = add_environment,
     .reflect_points = reflect_points,
     .polygon_light = polygon_light,

@@ -17,6 +17,13 @@ static double accurate_lobe(const lobe_case *lobe, double c) {
     case BURNISH_LOBE_LYON:
         u = 1 - (double)lobe->family.zeta * (1 - (c < 1 ? c : 1));
         return u > 0 ? pow(u, lobe->family.order) : 0;
+    case BURNISH_LOBE_COMPOSITE:
+        u = (double)lobe->composite.top - (double)lobe->composite.slope * (1 - (c < 1 ? c : 1));
+        u = u > 0 ? u * u : 0;
+        for (int i = 0; i < lobe->composite.multiplications - 2; ++i) {
+            u *= u + (double)lobe->composite.offset[i];
+        }
+        return u;
     case BURNISH_LOBE_POWER:
     case BURNISH_LOBE_INTEGER_POWER:
         return c > 0 ? pow(c < 1 ? c : 1, n) : 0;
@@ -61,6 +68,9 @@ static float single(const lobe_case *lobe, int lambda, float x) {
         return burnish_schlick_at_cosine(lambda ? 1.0f - x : x, lobe->exponent);
     case BURNISH_LOBE_GX:
         return burnish_gx_at_cosine(lambda ? 1.0f - x : x, lobe->exponent);
+    case BURNISH_LOBE_COMPOSITE:
+        return lambda ? burnish_composite_at_lambda(lobe->composite, x)
+                      : burnish_composite_at_cosine(lobe->composite, x);
     default:
         return lambda ? burnish_lobe_at_lambda(lobe->family, x)
                       : burnish_lobe_at_cosine(lobe->family, x);
@@ -99,6 +109,7 @@ static void check_values(void) {
     check_power_accuracy(BURNISH_LOBE_GAUSSIAN, GAUSSIAN_ERROR);
     for (int order = 2; order <= 32; order *= 2) {
         check_all_floats(BURNISH_LOBE_FAMILY, order, 1);
+        check_all_floats(BURNISH_LOBE_COMPOSITE, order, 1);
     }
     check_all_floats(BURNISH_LOBE_SCHLICK, 2, 1);
     check_all_floats(BURNISH_LOBE_GX, 2, 1);
@@ -211,7 +222,9 @@ static void check_equation(void) {
     double worst = 0, slope_worst = 0;
     int bright = 0, pixel_errors = 0;
     for (int trial = 0; trial < 60; ++trial) {
-        burnish_kernels_lighting lighting = random_lighting(KINDS[trial % LYON_AT], &state);
+        const int kind = trial % COMPOSITE_AT;
+        burnish_kernels_lighting lighting =
+            random_lighting(KINDS[kind == LYON_AT ? COMPOSITE_AT : kind], &state);
         burnish_kernels_shader *shader;
         make_points(&arrays, BLOCK, 1, &state);
         burnish_kernels_shader_create(&lighting, NULL, &shader, NULL);
@@ -220,7 +233,10 @@ static void check_equation(void) {
         burnish_kernels_shade_rgba8(scalar(), shader, &points, BLOCK, pixels, NULL);
         burnish_kernels_shader_destroy(shader);
         /* a cosine is off by 1e-7 at three lights, and the lobe by that times its slope */
-        lobe_case lobe = make(lighting.lobe.kind, lighting.lobe.order, lighting.material.exponent);
+        const int order = lighting.lobe.kind == BURNISH_LOBE_COMPOSITE
+                              ? 1 << (lighting.lobe.order - 1)
+                              : lighting.lobe.order;
+        lobe_case lobe = make(lighting.lobe.kind, order, lighting.material.exponent);
         double slope = lighting.lobe.kind == BURNISH_LOBE_FAMILY
                            ? (double)lobe.family.zeta * lobe.family.order
                            : (double)lobe.exponent + 1;

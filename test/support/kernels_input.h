@@ -40,20 +40,35 @@ static inline float awkward(uint64_t *state) {
 /* The kinds that have kernels. */
 static const burnish_lobe_kind KINDS[] = {
     BURNISH_LOBE_FAMILY,   BURNISH_LOBE_POWER, BURNISH_LOBE_INTEGER_POWER, BURNISH_LOBE_SCHLICK,
-    BURNISH_LOBE_GAUSSIAN, BURNISH_LOBE_GX,    BURNISH_LOBE_LYON,
+    BURNISH_LOBE_GAUSSIAN, BURNISH_LOBE_GX,    BURNISH_LOBE_LYON,          BURNISH_LOBE_COMPOSITE,
 };
-enum { KIND_COUNT = sizeof KINDS / sizeof KINDS[0], LYON_AT = KIND_COUNT - 1 };
+enum {
+    KIND_COUNT = sizeof KINDS / sizeof KINDS[0],
+    COMPOSITE_AT = KIND_COUNT - 1,
+    LYON_AT = COMPOSITE_AT - 1
+};
 
-/* A lobe, its exponent and, for the family and Lyon's, what burnish/lobe.h makes of them. */
+/* A lobe, its exponent and, for the family, Lyon's and composites, what burnish/lobe.h makes of
+ * them. A composite has the multiplications of the order. */
 typedef struct lobe_case {
     burnish_lobe_spec spec;
     float exponent;
     burnish_lobe family;
+    burnish_composite composite;
 } lobe_case;
 
 static inline lobe_case make(burnish_lobe_kind kind, int order, float exponent) {
-    order = burnish_lobe_highest_order(order, exponent);
-    lobe_case lobe = {{.kind = kind, .fit = BURNISH_FIT_ENERGY, .order = order}, exponent, {0, 0}};
+    lobe_case lobe = {.spec = {.kind = kind, .fit = BURNISH_FIT_ENERGY}, .exponent = exponent};
+    if (kind == BURNISH_LOBE_COMPOSITE) {
+        lobe.spec.order = 1;
+        for (int power = 1; power < order; power *= 2) {
+            ++lobe.spec.order;
+        }
+        burnish_composite_create(&lobe.composite, BURNISH_COMPOSITE_MINIMAX, lobe.spec.order,
+                                 exponent);
+        return lobe;
+    }
+    lobe.spec.order = order = burnish_lobe_highest_order(order, exponent);
     if (kind == BURNISH_LOBE_INTEGER_POWER) {
         lobe.exponent = (float)(uint32_t)exponent;
     }

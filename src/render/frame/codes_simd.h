@@ -1,4 +1,4 @@
-/* From normals straight to sRGB codes: directional lights, a distant viewer, lobes of the family.
+/* From normals straight to sRGB codes: directional lights, a distant viewer, lobes of the family and composites.
  *
  * The pixels of a flat face mostly have one code, though not one colour: in perspective a normal is
  * interpolated times 1/w, and rounding gives it other directions. Normals that point the way of an
@@ -225,6 +225,7 @@ BURNISH_INLINE void shade_codes(int body, int channels, const burnish_kernels_sh
 CODE_FUNCTION(none, BURNISH_LOBE_BODY_NONE)
 CODE_FUNCTION(square, BURNISH_LOBE_BODY_SQUARE)
 CODE_FUNCTION(squares, BURNISH_LOBE_BODY_SQUARES)
+CODE_FUNCTION(composite, BURNISH_LOBE_BODY_COMPOSITE)
 #undef CODE_FUNCTION
 
 #endif

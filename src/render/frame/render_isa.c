@@ -38,6 +38,7 @@ const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD) = {
     OP(apply_near_cells),
     .shade_codes = {[BURNISH_LOBE_BODY_NONE] = codes_none,
                     [BURNISH_LOBE_BODY_SQUARE] = codes_square,
-                    [BURNISH_LOBE_BODY_SQUARES] = codes_squares},
+                    [BURNISH_LOBE_BODY_SQUARES] = codes_squares,
+                    [BURNISH_LOBE_BODY_COMPOSITE] = codes_composite},
     OP(compare_block),
 };
