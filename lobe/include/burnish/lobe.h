@@ -309,32 +309,42 @@ static inline burnish_lobe_status burnish_composite_check(burnish_composite_aim 
     return burnish_lobe_check(2, exponent);
 }
 
-/* The constants of a range of exponents, as polynomials in 1/n. */
+/* The constants of exponents from `least` to that of the row above. */
 typedef struct burnish_composite_piece {
     burnish_composite_aim aim;
     int multiplications;
-    double least;           /* exponent; the last piece of a lobe has 0 */
-    double constants[5][4]; /* of zeta/n and each b: the coefficients of 1, 1/n, 1/n^2, 1/n^3 */
+    double least;
+    double constants[5][4]; /* of zeta/n and each 1/(1 + b): the coefficients of 1, x, x^2 and x^3
+                               with x = least/n */
 } burnish_composite_piece;
 
-/* Finds the constants of a lobe; its peak is exactly 1 in real numbers, too.
+/* Finds the constants of a lobe.
  *   zeta  receives the slope, at least 1; not NULL
  *   b     receives the constants of the steps, the others are 0; not NULL
- * Returns the multiplications: the given ones or less, as steps that would change nothing are left
- * out. 0 and constants of 0 for arguments that burnish_composite_check refuses. */
+ * Returns the multiplications: the given ones or less, since steps that would change nothing are
+ * left out. 0 and constants of 0 for arguments that burnish_composite_check refuses. */
 static inline int burnish_composite_constants(burnish_composite_aim aim, int multiplications,
                                               double exponent, double *zeta, double b[4]) {
     static const burnish_composite_piece pieces[] = {
-        {BURNISH_COMPOSITE_MINIMAX, 2, 0, {{0.355859}}},
-        {BURNISH_COMPOSITE_MINIMAX, 3, 0, {{0.2406013}, {0.2683748}}},
-        {BURNISH_COMPOSITE_MINIMAX, 4, 0, {{0.167228}, {0.354439}, {0.492493}}},
-        {BURNISH_COMPOSITE_MINIMAX, 5, 0, {{0.1080952}, {0.412771}, {1.549184}, {0.0604493}}},
+        {BURNISH_COMPOSITE_MINIMAX, 2, 2, {{0.355859}}},
+        {BURNISH_COMPOSITE_MINIMAX, 3, 2, {{0.2406013}, {0.7884104919}}},
+        {BURNISH_COMPOSITE_MINIMAX, 4, 2, {{0.167228}, {0.738313058}, {0.6700198929}}},
+        {BURNISH_COMPOSITE_MINIMAX,
+         5,
+         2,
+         {{0.1080952}, {0.7078287989}, {0.3922823931}, {0.9429965204}}},
         {BURNISH_COMPOSITE_MINIMAX,
          6,
-         0,
-         {{0.0700040}, {0.974272}, {2.893822}, {0.1244822}, {0.0033932}}},
-        {BURNISH_COMPOSITE_DISPLAY, 5, 0, {{0.09708}, {0.32565}, {1.06945}, {0.03561}}},
-        {BURNISH_COMPOSITE_DISPLAY, 6, 0, {{0.08512}, {2.68555}, {2.65941}, {0.20923}, {0.01387}}},
+         2,
+         {{0.070004}, {0.5065158195}, {0.256817081}, {0.8892982032}, {0.9966182749}}},
+        {BURNISH_COMPOSITE_DISPLAY,
+         5,
+         2,
+         {{0.09708}, {0.7543469242}, {0.4832201793}, {0.9656144688}}},
+        {BURNISH_COMPOSITE_DISPLAY,
+         6,
+         2,
+         {{0.08512}, {0.2713299236}, {0.2732680951}, {0.8269725362}, {0.9863197451}}},
     };
     const burnish_composite_piece *piece = pieces;
     int used = 2, i, order = 2;
@@ -343,7 +353,7 @@ static inline int burnish_composite_constants(burnish_composite_aim aim, int mul
         return 0;
     }
     for (i = 2; i <= multiplications; ++i, order *= 2) {
-        if (exponent == order) { /* cos^n is a lobe */
+        if (exponent == order || exponent < 2) { /* cos^n is a lobe, or cos^2 the best one */
             *zeta = 1;
             return i;
         }
@@ -353,12 +363,12 @@ static inline int burnish_composite_constants(burnish_composite_aim aim, int mul
         ++piece;
     }
     for (i = 0; i < multiplications - 1; ++i) {
-        const double *k = piece->constants[i], x = 1 / exponent;
+        const double *k = piece->constants[i], x = piece->least / exponent;
         const double value = k[0] + x * (k[1] + x * (k[2] + x * k[3]));
         if (i == 0) {
             *zeta = value * exponent > 1 ? value * exponent : 1;
-        } else if (value < 1e5) {
-            b[used++ - 2] = value > 0 ? value : 0;
+        } else if (value > 1e-6) {
+            b[used++ - 2] = value < 1 ? 1 / value - 1 : 0;
         }
     }
     return used;
