@@ -82,10 +82,10 @@ typedef struct {
 } sweep_bound;
 
 static const sweep_bound sweep_bounds[] = {
-    {SWEEP_FAMILY, 2, 2.25, 70}, {SWEEP_FAMILY, 4, 4, 30},       {SWEEP_FAMILY, 8, 8, 24},
-    {SWEEP_FAMILY, 16, 16, 32},  {SWEEP_FAMILY, 32, 32, 50},     {SWEEP_SCHLICK, 0, 1.75, 4},
-    {SWEEP_GX, 0, 2, 5.5},       {SWEEP_COMPOSITE, 2, 2.25, 70}, {SWEEP_COMPOSITE, 3, 4.5, 35},
-    {SWEEP_COMPOSITE, 4, 9, 30}, {SWEEP_COMPOSITE, 5, 16, 25},   {SWEEP_COMPOSITE, 6, 26, 35},
+    {SWEEP_FAMILY, 2, 2.25, 70},    {SWEEP_FAMILY, 4, 4, 30},       {SWEEP_FAMILY, 8, 8, 24},
+    {SWEEP_FAMILY, 16, 16, 32},     {SWEEP_FAMILY, 32, 32, 50},     {SWEEP_SCHLICK, 0, 1.75, 4},
+    {SWEEP_GX, 0, 2, 5.5},          {SWEEP_COMPOSITE, 2, 2.25, 70}, {SWEEP_COMPOSITE, 3, 4.75, 65},
+    {SWEEP_COMPOSITE, 4, 9.75, 65}, {SWEEP_COMPOSITE, 5, 20, 65},   {SWEEP_COMPOSITE, 6, 35, 65},
 };
 enum { SWEEP_BOUND_COUNT = sizeof sweep_bounds / sizeof sweep_bounds[0] };
 

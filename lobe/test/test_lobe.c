@@ -461,6 +461,15 @@ static void check_composite_products(void) {
     }
 }
 
+static double composite_value(double zeta, const double b[4], int multiplications, double lambda) {
+    const double u = fmax(0, 1 - zeta * lambda);
+    double w = u * u;
+    for (int k = 0; k < multiplications - 2; ++k) {
+        w *= (w + b[k]) / (1 + b[k]);
+    }
+    return w;
+}
+
 /* The float lobe is the formula with the constants that burnish_composite_constants states, and
  * ends where they say. */
 static void check_composite_constants(void) {
@@ -475,10 +484,7 @@ static void check_composite_constants(void) {
             CHECK(used == lobe.multiplications && used <= m && zeta >= 1, "%d %g", m, (double)n);
             for (int i = 0; i <= 100; ++i) {
                 const float lambda = (float)(i / zeta / 100);
-                double u = fmax(0, 1 - zeta * (double)lambda), w = u * u;
-                for (int k = 0; k < used - 2; ++k) {
-                    w *= (w + b[k]) / (1 + b[k]);
-                }
+                const double w = composite_value(zeta, b, used, (double)lambda);
                 worst = fmax(worst, fabs(w - (double)burnish_composite_at_lambda(lobe, lambda)));
             }
             const float cutoff = burnish_composite_cutoff_cosine(lobe);
@@ -490,6 +496,59 @@ static void check_composite_constants(void) {
     }
     printf("composites: from the formula at most %.2g\n", worst);
     CHECK1(worst > 0 && worst < 1.5e-6);
+}
+
+static double code_of(double linear) {
+    return 255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1 / 2.4) - 0.055);
+}
+
+/* How far composites are from cos^n at exponents between those of their table. */
+static void check_composite_accuracy(void) {
+    static const double ends[] = {2, 4, 8, 19.5, 56, 65536};
+    static const double bounds[][5] = {{0.038, 0.0558, 0.0648, 0.0686, 0.0706},
+                                       {0.0057, 0.0137, 0.0236, 0.0274, 0.0301},
+                                       {0.0057, 8.6e-4, 6.4e-4, 0.0032, 0.0053},
+                                       {0.0057, 8.6e-4, 3.4e-5, 7.1e-5, 1.47e-4},
+                                       {0.0057, 8.6e-4, 3.4e-5, 1.8e-6, 2.1e-6}};
+    for (int i = 0; i < 25; ++i) {
+        const int m = 2 + i / 5;
+        double worst = 0;
+        for (double f = 1e-9; f < 1; f += 0.00625 - 1e-11) {
+            const double n = 1 / (f / ends[i % 5] + (1 - f) / ends[i % 5 + 1]);
+            double zeta, b[4];
+            const int used = burnish_composite_constants(BURNISH_COMPOSITE_MINIMAX, m, n, &zeta, b);
+            for (double x = 0; x < 22 && x <= n; x += 0.005) {
+                worst = fmax(worst, fabs(composite_value(zeta, b, used, x / n) -
+                                         exp(n * log1p(-fmin(x / n, 1 - 1e-15)))));
+            }
+        }
+        printf("composite:%d from %g to %g: %.3g\n", m, ends[i % 5], ends[i % 5 + 1], worst);
+        CHECK(worst <= bounds[m - 2][i % 5] && worst > 0.9 * bounds[m - 2][i % 5], "%d %d %g", m,
+              i % 5, worst);
+    }
+}
+
+/* Exact to 8 bits: a highlight of intensity 1 is at most one code off, and off at most at a tenth of
+ * its range. */
+static void check_composite_display(void) {
+    double most = 0;
+    for (double n = 8; n <= 65536; n *= 1.061) {
+        burnish_composite lobe;
+        CHECK1(burnish_composite_create(&lobe, BURNISH_COMPOSITE_DISPLAY, 5, (float)n) ==
+               BURNISH_LOBE_OK);
+        int count = 0, off = 0, worst = 0;
+        for (double x = 0; x < 8.5 && x < n; x += 0.001, ++count) {
+            const float lambda = (float)(x / (double)(float)n);
+            const double power = exp((double)(float)n * log1p(-(double)lambda));
+            const double value = (double)burnish_composite_at_lambda(lobe, lambda);
+            const int codes = abs((int)(code_of(value) + 0.5) - (int)(code_of(power) + 0.5));
+            off += codes > 0;
+            worst = codes > worst ? codes : worst;
+        }
+        CHECK(worst <= 1 && off <= count / 14, "n %g: %d codes, %d of %d", n, worst, off, count);
+        most = fmax(most, (double)off / count);
+    }
+    printf("display:5: another code at %.2g %% of the range at most\n", 100 * most);
 }
 
 static void check_chord(void) {
@@ -594,6 +653,8 @@ int main(int count, char **arguments) {
     RUN(check_composite_errors());
     RUN(check_composite_products());
     RUN(check_composite_constants());
+    RUN(check_composite_accuracy());
+    RUN(check_composite_display());
     RUN(check_chord());
     RUN(check_lyon_factor());
     RUN(check_lyon());
