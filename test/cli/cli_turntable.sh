@@ -89,7 +89,11 @@ for sandbox in $sandboxes; do
     fake 'cat >/dev/null'
     video 7 render :knot $few --turntable=kept.mp4 $sandbox
     fake 'echo $$ >process; exec sleep 1000'
-    video 5 render :knot --size=512 --frames=30 --max-seconds=1 --turntable=kept.mp4 $sandbox
+    for seconds in 1 4 16 64; do # until it lasts for ffmpeg to begin
+        rm -f process
+        video 5 render :knot --size=512 --frames=30 --max-seconds=$seconds --turntable=kept.mp4 $sandbox
+        ! [ -s process ] || break
+    done
     check "$sandbox: ffmpeg runs on after burnish" await ended "$(cat process)"
     if command -v python3 >/dev/null; then # shells name ten descriptors
         fake 'for file; do :; done; [ -e /proc/$$/fd/300 ] && echo 300 >held; cat >"/proc/self${file#/dev}"'
