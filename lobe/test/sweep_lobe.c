@@ -2,6 +2,7 @@
  * Usage: sweep_lobe [STRIDE]. */
 #include <stdlib.h>
 
+#include "falloff.h"
 #include "sweep.h"
 
 int main(int argc, char **argv) {
@@ -21,6 +22,9 @@ int main(int argc, char **argv) {
     for (int i = 0; i < SWEEP_CASE_COUNT; ++i) {
         bad += !sweep_report(&sweep_cases[i], &results[i]);
     }
-    printf("sweep_lobe: %d of %d sweeps failed\n", bad, SWEEP_CASE_COUNT);
+    for (int i = 0; i < FALLOFF_CASE_COUNT; ++i) {
+        bad += !falloff_keeps(&falloff_cases[i], stride);
+    }
+    printf("sweep_lobe: %d of %d sweeps failed\n", bad, SWEEP_CASE_COUNT + FALLOFF_CASE_COUNT);
     return bad == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -5,6 +5,7 @@
 
 #include "burnish/lobe.h"
 #include "burnish/theory.h"
+#include "falloff.h"
 #include "support.h"
 #include "sweep.h"
 
@@ -640,6 +641,17 @@ static void check_sweeps(void) {
     }
 }
 
+static void check_exp_falloffs(void) {
+    for (int i = 0; i < FALLOFF_CASE_COUNT; ++i) {
+        const falloff_case *at = &falloff_cases[i];
+        CHECK(falloff_keeps(at, 997), "%d", i);
+        CHECK1(at->of(0) == 1 && at->of(-0.0f) == 1 && at->of(-1) == 1 && at->of(-INFINITY) == 1);
+        CHECK1(at->of(nextafterf(at->end, 0)) > 0 && at->of(at->end) == 0);
+        CHECK1(at->of(INFINITY) == 0 && at->of(FLT_MAX) == 0);
+        CHECK1(at->of(NAN) == 0 && at->of(-NAN) == 0);
+    }
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(check_reference());
@@ -659,5 +671,6 @@ int main(int count, char **arguments) {
     RUN(check_lyon_factor());
     RUN(check_lyon());
     RUN(check_sweeps());
+    RUN(check_exp_falloffs());
     return test_end("lobe");
 }
