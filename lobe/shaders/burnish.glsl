@@ -111,6 +111,87 @@ float burnishLobe32(float cosine, float zeta) {
     return burnishLobeOfLambda32(1.0 - cosine, zeta);
 }
 
+// ---- lighting/common/burnishComposite ----
+
+// Composite lobes, closer to cos^n than burnishLobe...: v = min(top, max(0, top - slope lambda)), v = v v, then
+// v = v (v + offset) for each offset. The number in a name is the number of multiplications. lobe.h computes the
+// constants of an exponent: burnish_composite_create.
+float burnishCompositeOfLambda3(float lambda, float top, float slope, float offset1) {
+    BURNISH_PRECISE float base = top - slope * lambda;
+    float v = clamp(base, 0.0, top);
+    BURNISH_PRECISE float value = v * v;
+    value = value * (value + offset1);
+    return value;
+}
+
+float burnishCompositeOfLambda4(float lambda, float top, float slope, float offset1,
+                                float offset2) {
+    BURNISH_PRECISE float value = burnishCompositeOfLambda3(lambda, top, slope, offset1);
+    value = value * (value + offset2);
+    return value;
+}
+
+float burnishCompositeOfLambda5(float lambda, float top, float slope, float offset1, float offset2,
+                                float offset3) {
+    BURNISH_PRECISE float value = burnishCompositeOfLambda4(lambda, top, slope, offset1, offset2);
+    value = value * (value + offset3);
+    return value;
+}
+
+float burnishCompositeOfLambda6(float lambda, float top, float slope, float offset1, float offset2,
+                                float offset3, float offset4) {
+    BURNISH_PRECISE float value = burnishCompositeOfLambda5(lambda, top, slope, offset1, offset2,
+                                                            offset3);
+    value = value * (value + offset4);
+    return value;
+}
+
+// The same of a cosine.
+float burnishComposite3(float cosine, float top, float slope, float offset1) {
+    return burnishCompositeOfLambda3(1.0 - cosine, top, slope, offset1);
+}
+
+float burnishComposite4(float cosine, float top, float slope, float offset1, float offset2) {
+    return burnishCompositeOfLambda4(1.0 - cosine, top, slope, offset1, offset2);
+}
+
+float burnishComposite5(float cosine, float top, float slope, float offset1, float offset2,
+                        float offset3) {
+    return burnishCompositeOfLambda5(1.0 - cosine, top, slope, offset1, offset2, offset3);
+}
+
+float burnishComposite6(float cosine, float top, float slope, float offset1, float offset2,
+                        float offset3, float offset4) {
+    return burnishCompositeOfLambda6(1.0 - cosine, top, slope, offset1, offset2, offset3, offset4);
+}
+
+// ---- lighting/common/burnishExpFalloff ----
+
+// About e^-x in 3, 4 or 5 multiplications, within 0.0294, 0.00518 and 0.000136: 1 for x <= 0, never increasing, and
+// exactly 0 from x = 4.15566015, 5.97967911 and 9.25124741 on. docs/falloff.md explains.
+float burnishExpFalloff3(float x) {
+    return burnishCompositeOfLambda3(x, 0.942223668, 0.226732612, 0.238612935);
+}
+
+float burnishExpFalloff4(float x) {
+    return burnishCompositeOfLambda4(x, 0.881662667, 0.147443146, 0.275810421, 0.402908295);
+}
+
+float burnishExpFalloff5(float x) {
+    return burnishCompositeOfLambda5(x, 0.812974453, 0.087877281, 0.273172706, 0.955595791,
+                                     0.0586450733);
+}
+
+// ---- lighting/common/burnishFresnelWeight ----
+
+// Schlick's (1 - cosine)^5 in three multiplications, without pow: the share of white in F0 + (1 - F0) weight.
+// Source: Schlick, An Inexpensive BRDF Model for Physically-Based Rendering, 1994.
+float burnishFresnelWeight(float cosine) {
+    float u = clamp(1.0 - cosine, 0.0, 1.0);
+    float u2 = u * u;
+    return (u2 * u2) * u;
+}
+
 // ---- lighting/common/burnishPower ----
 
 // cosine^n itself, 0 for a cosine below 0.

@@ -6,6 +6,11 @@ float everyFunction(vec3 N, vec3 L, vec3 V, float n) {
     float lambda = burnishLambda(N, L);
     float sum = burnishLobe2(lambda, zeta) + burnishLobe4(lambda, zeta) + burnishLobe8(lambda, zeta);
     sum += burnishLobe16(lambda, zeta) + burnishLobe32(lambda, zeta);
+    // max, because contraction.py would take this function's own sums of products for the lobes'
+    sum += max(burnishComposite3(lambda, n, zeta, n), burnishComposite4(lambda, n, zeta, n, n));
+    sum += max(burnishComposite5(lambda, n, zeta, n, n, n), burnishComposite6(lambda, n, zeta, n, n, n, n));
+    sum += max(burnishExpFalloff3(n), max(burnishExpFalloff4(n), burnishExpFalloff5(n)));
+    sum += max(burnishFresnelWeight(n), lambda);
     sum += burnishPower(lambda, n) + burnishSchlick(lambda, n);
     sum += burnishNormalizeLobe(zeta, 2.0) + burnishNormalizePower(n);
     sum += burnishNormalizeLobeDistribution(zeta, 2.0) + burnishNormalizePowerDistribution(n);

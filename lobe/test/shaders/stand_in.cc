@@ -105,6 +105,16 @@ static void check_conversions() {
     check_near("blinn", (double)burnishBlinnFromPhong(64), burnish_theory_blinn_from_phong(64), 0);
 }
 
+static void check_falloffs() {
+    for (float x = -1; x < 10; x += 0.001f) {
+        check(same_bits(burnishExpFalloff3(x), burnish_exp_falloff3(x)), "e^-x, 3", (double)x, 3);
+        check(same_bits(burnishExpFalloff4(x), burnish_exp_falloff4(x)), "e^-x, 4", (double)x, 4);
+        check(same_bits(burnishExpFalloff5(x), burnish_exp_falloff5(x)), "e^-x, 5", (double)x, 5);
+        const double u = (double)std::min(std::max(1 - x, 0.0f), 1.0f);
+        check_near("fresnel", (double)burnishFresnelWeight(x), u * u * u * u * u, 1e-6);
+    }
+}
+
 // Integrals over the hemisphere by the midpoint rule in the cosine.
 static void check_normalization() {
     const int steps = 200000;
@@ -187,6 +197,7 @@ int main(int, char **arguments) {
     check_vectors(arguments[1]);
     check_slopes();
     check_conversions();
+    check_falloffs();
     check_normalization();
     check_lighting();
     check_area(arguments[2]);
