@@ -1,7 +1,8 @@
 /* The shaders' values on a Vulkan device against the CPU's, bit for bit.
  * Usage: gpu_values FOLDER LOBES_CSV AREA_CSV [--all]
- *   FOLDER  cases.spv, cases_hlsl.spv, area.spv, area_hlsl.spv, sweep.spv, half.spv
- *   --all   one lobe at all 2^32 floats too (a minute) */
+ *   FOLDER  cases.spv, cases_hlsl.spv, area.spv, area_hlsl.spv, sweep.spv, half.spv, falloff.spv,
+ *           falloff_exact.spv
+ *   --all   one lobe at all 2^32 floats too (a minute), e^-x at 2^24 */
 #include "vulkan.h"
 
 #include "area.h"
@@ -249,6 +250,63 @@ static void check_half(gpu_device *gpu, const char *folder) {
     gpu_program_destroy(gpu, &program);
 }
 
+/* ---- e^-x ---- */
+
+typedef struct falloff_constants {
+    float top, slope, offset[4], scale; /* x = scale * i */
+    int32_t number;
+    uint32_t first, step;
+} falloff_constants;
+
+static float falloff_on_cpu(const falloff_constants *at, float x) {
+    return at->number == 13   ? burnish_exp_falloff3(x)
+           : at->number == 14 ? burnish_exp_falloff4(x)
+                              : burnish_exp_falloff5(x);
+}
+
+/* Compares 2^24 / step values with the CPU's: the same bits if the shader is exact, else an error
+ * within 2^-22 of the CPU's. */
+static void falloff_compare(gpu_device *gpu, gpu_program *program, const gpu_buffer *out,
+                            falloff_constants constants, const char *name) {
+    const float *values = out->data;
+    const int is_exact = strstr(name, "exact") != NULL;
+    value_tally tally = {0};
+    double error = 0, cpu_error = 0;
+    const uint32_t batch = SWEEP_BATCH * constants.step;
+    for (; constants.first < 1u << 24; constants.first += batch) {
+        gpu_run(gpu, program, (const gpu_buffer *[]){out, out, out}, &constants, sizeof constants,
+                SWEEP_BATCH);
+        for (uint32_t i = 0; i < SWEEP_BATCH; ++i) {
+            const float x = constants.scale * (float)(constants.first + constants.step * i);
+            const float expected = falloff_on_cpu(&constants, x);
+            const double exact = exp(-(double)x);
+            error = fmax(error, fabs((double)values[i] - exact));
+            cpu_error = fmax(cpu_error, fabs((double)expected - exact));
+            compare(is_exact ? values[i] : expected, expected, &tally, name, (double)x);
+        }
+    }
+    printf("%-24s e^-x, %d %14zu values, error %.3g, the CPU's %.3g\n", name, constants.number - 10,
+           tally.values, error, cpu_error);
+    CHECK(tally.others == 0 && error <= cpu_error + 0x1p-22, "%s, %d: %zu, %g", name,
+          constants.number, tally.others, error);
+}
+
+static void check_falloffs(gpu_device *gpu, const char *folder, const char *name, int all) {
+    char path[512];
+    gpu_program program;
+    gpu_buffer out;
+    snprintf(path, sizeof path, "%s/%s.spv", folder, name);
+    gpu_program_create(gpu, path, &program);
+    gpu_buffer_create(gpu, SWEEP_BATCH * sizeof(float), &out);
+    for (int number = 13; number <= 15; ++number) {
+        const falloff_constants constants = {
+            .scale = 0x1p-20f, .number = number, .step = all ? 1 : 8};
+        falloff_compare(gpu, &program, &out, constants, name);
+    }
+    gpu_buffer_destroy(gpu, &out);
+    gpu_program_destroy(gpu, &program);
+}
+
 int main(int count, char **arguments) {
     gpu_device gpu;
     if (count < 4) {
@@ -265,6 +323,8 @@ int main(int count, char **arguments) {
     check_area(&gpu, arguments[1], "area_hlsl", arguments[3]);
     check_sweep(&gpu, arguments[1], count > 4);
     check_half(&gpu, arguments[1]);
+    check_falloffs(&gpu, arguments[1], "falloff", count > 4);
+    check_falloffs(&gpu, arguments[1], "falloff_exact", count > 4);
     gpu_close(&gpu);
     return test_end("gpu_values");
 }
