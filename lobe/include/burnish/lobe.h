@@ -24,6 +24,8 @@
  * compute lighting. Fits that need roots or a search (level, projected, minimax, leastsquares,
  * affine) are in burnish/shading.h. Reference lobes that need libm are in burnish/theory.h.
  *
+ * Schlick's (1 - c)^5 for Fresnel needs no pow either: u = 1 - c, u2 = u * u, u2 * u2 * u.
+ *
  * What it promises.
  * - Every evaluation returns a finite value in [0, 1] for every float: NaN gives 0,
  *   infinities and denormals are fine. (Not under -ffast-math, which forbids NaN and infinity.)

@@ -88,6 +88,23 @@ cases.forEach((one, i) => {
 });
 console.log(`vectors, WGSL by Dawn: ${cases.length} values, ${flushed} flushed to 0, ${others} others`);
 
+// e^-x at x = -1 ... 15: the bounds of lobe.h, 1 at 0, and 0 from the end on.
+const FALLOFFS = [[0.029374, 4.15566015], [0.005173, 5.97967911], [0.000137, 9.25124741]];
+const xs = FALLOFFS.flatMap((_, kind) => Array.from({ length: 4096 }, (_, i) => [i / 256 - 1, kind]));
+const falloffs = await run(`
+fn valueOf(i: u32) -> f32 {
+    if (cases[i + 1] == 0.0) { return burnishExpFalloff3(cases[i]); }
+    if (cases[i + 1] == 1.0) { return burnishExpFalloff4(cases[i]); }
+    return burnishExpFalloff5(cases[i]);
+}`, new Float32Array(xs.flat()), 2, 1);
+xs.forEach(([x, kind], i) => {
+    const [most, end] = FALLOFFS[kind];
+    const good = x <= 0 ? falloffs[i] === 1 : x >= end ? falloffs[i] === 0 : Math.abs(falloffs[i] - Math.exp(-x)) <= most;
+    if (!good && ++others < 10) {
+        console.log(`e^-${x}, ${kind + 3}: ${falloffs[i]}`);
+    }
+});
+
 // Lines of area.csv: the shape, then numbers; the last two are expected.
 const SHAPES = ['rect', 'disc', 'ggx'];
 const MOST = [2e-5, 2.5e-3, 0.06]; // as in area.h
