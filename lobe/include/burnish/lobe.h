@@ -625,9 +625,9 @@ static inline float burnish_lyon_at_vectors(const float n[3], const float h[3], 
 /* ---- Exponentials -------------------------------------------------------------------------------
  *
  * e^-x for x >= 0 with 3, 4 or 5 multiplications and an exact end, for Gaussian splats, fog and soft
- * shadows: v_0 = min(top, max(0, top - slope x)), v_1 = v_0^2, v_{i+1} = v_i (v_i + c_i), the limit
- * of the composite lobes for large exponents. The constants minimise the largest absolute error
- * over all x >= 0. They are rounded so that fused multiply-adds keep the values 1 and 0 too.
+ * shadows: the limit of the composite lobes for large exponents. The constants minimise the largest
+ * absolute error over all x >= 0, and are rounded to keep the exact 1 and 0 with fused
+ * multiply-adds, too.
  *
  *     multiplications  largest error  relative to e^-x, x <= 1  x <= 2   x <= 3   e^-END
  *     3                .029374        .0540                     .158     .577     .0157
@@ -642,33 +642,24 @@ static inline float burnish_lyon_at_vectors(const float n[3], const float h[3], 
 #define BURNISH_EXP_FALLOFF_END4 5.97967911f
 #define BURNISH_EXP_FALLOFF_END5 9.25124741f
 
-/* The square of a line from top at 0, clamped to [0, top]; NaN gives 0. */
-static inline float burnish_exp_falloff_square(float x, float top, float slope) {
-    float v = top - slope * x;
-    v = v > 0.0f ? v : 0.0f;
-    v = v < top ? v : top;
-    return v * v;
-}
-
 /* About e^-x. The number in the name is the number of multiplications.
  *   x  any float; [-infinity, 0] gives exactly 1, NaN and [END, infinity] give exactly 0
  * Returns a value in [0, 1], which never increases with x. */
 static inline float burnish_exp_falloff3(float x) {
-    const float v = burnish_exp_falloff_square(x, 0.942223668f, 0.226732612f);
-    return v * (v + 0.238612935f);
+    const burnish_composite lobe = {0.942223668f, 0.226732612f, {0.238612935f, 0, 0, 0}, 3};
+    return burnish_composite_at_lambda(lobe, x);
 }
 
 static inline float burnish_exp_falloff4(float x) {
-    float v = burnish_exp_falloff_square(x, 0.881662667f, 0.147443146f);
-    v = v * (v + 0.275810421f);
-    return v * (v + 0.402908295f);
+    const burnish_composite lobe = {
+        0.881662667f, 0.147443146f, {0.275810421f, 0.402908295f, 0, 0}, 4};
+    return burnish_composite_at_lambda(lobe, x);
 }
 
 static inline float burnish_exp_falloff5(float x) {
-    float v = burnish_exp_falloff_square(x, 0.812974453f, 0.087877281f);
-    v = v * (v + 0.273172706f);
-    v = v * (v + 0.955595791f);
-    return v * (v + 0.0586450733f);
+    const burnish_composite lobe = {
+        0.812974453f, 0.087877281f, {0.273172706f, 0.955595791f, 0.0586450733f, 0}, 5};
+    return burnish_composite_at_lambda(lobe, x);
 }
 
 #ifdef __cplusplus

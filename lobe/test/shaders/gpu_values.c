@@ -2,7 +2,7 @@
  * Usage: gpu_values FOLDER LOBES_CSV AREA_CSV [--all]
  *   FOLDER  cases.spv, cases_hlsl.spv, area.spv, area_hlsl.spv, sweep.spv, half.spv, falloff.spv,
  *           falloff_exact.spv
- *   --all   one lobe at all 2^32 floats too (a minute), e^-x at 2^24 */
+ *   --all   one lobe at all 2^32 floats too (a minute), e^-x and composites at 2^24 inputs */
 #include "vulkan.h"
 
 #include "area.h"
@@ -250,58 +250,74 @@ static void check_half(gpu_device *gpu, const char *folder) {
     gpu_program_destroy(gpu, &program);
 }
 
-/* ---- e^-x ---- */
+/* ---- e^-x, and composite lobes ---- */
 
 typedef struct falloff_constants {
-    float top, slope, offset[4], scale; /* x = scale * i */
+    float top, slope, offset[4], scale; /* x or lambda = scale * i */
     int32_t number;
     uint32_t first, step;
 } falloff_constants;
 
 static float falloff_on_cpu(const falloff_constants *at, float x) {
+    burnish_composite lobe = {at->top, at->slope, {0}, at->number};
+    memcpy(lobe.offset, at->offset, sizeof lobe.offset);
     return at->number == 13   ? burnish_exp_falloff3(x)
            : at->number == 14 ? burnish_exp_falloff4(x)
-                              : burnish_exp_falloff5(x);
+           : at->number == 15 ? burnish_exp_falloff5(x)
+                              : burnish_composite_at_lambda(lobe, x);
 }
 
 /* Compares 2^24 / step values with the CPU's: the same bits if the shader is exact, else an error
- * within 2^-22 of the CPU's. */
+ * within 2^-20 of the CPU's. n: of cos^n, 0 for e^-x. */
 static void falloff_compare(gpu_device *gpu, gpu_program *program, const gpu_buffer *out,
-                            falloff_constants constants, const char *name) {
+                            falloff_constants constants, double n, const char *name) {
     const float *values = out->data;
     const int is_exact = strstr(name, "exact") != NULL;
     value_tally tally = {0};
     double error = 0, cpu_error = 0;
-    const uint32_t batch = SWEEP_BATCH * constants.step;
-    for (; constants.first < 1u << 24; constants.first += batch) {
+    const uint32_t total = (1u << 24) / constants.step;
+    const uint32_t count = total < SWEEP_BATCH ? total : SWEEP_BATCH;
+    for (; constants.first < 1u << 24; constants.first += count * constants.step) {
         gpu_run(gpu, program, (const gpu_buffer *[]){out, out, out}, &constants, sizeof constants,
-                SWEEP_BATCH);
-        for (uint32_t i = 0; i < SWEEP_BATCH; ++i) {
+                count);
+        for (uint32_t i = 0; i < count; ++i) {
             const float x = constants.scale * (float)(constants.first + constants.step * i);
             const float expected = falloff_on_cpu(&constants, x);
-            const double exact = exp(-(double)x);
+            const double exact = n > 0 ? pow(1 - (double)x, n) : exp(-(double)x);
             error = fmax(error, fabs((double)values[i] - exact));
             cpu_error = fmax(cpu_error, fabs((double)expected - exact));
             compare(is_exact ? values[i] : expected, expected, &tally, name, (double)x);
         }
     }
-    printf("%-24s e^-x, %d %14zu values, error %.3g, the CPU's %.3g\n", name, constants.number - 10,
-           tally.values, error, cpu_error);
-    CHECK(tally.others == 0 && error <= cpu_error + 0x1p-22, "%s, %d: %zu, %g", name,
+    printf("%-13s %2d, n = %-5g %14zu values, error %.6f, the CPU's %.6f\n", name, constants.number,
+           n, tally.values, error, cpu_error);
+    CHECK(tally.others == 0 && error <= cpu_error + 0x1p-20, "%s, %d: %zu, %g", name,
           constants.number, tally.others, error);
 }
 
 static void check_falloffs(gpu_device *gpu, const char *folder, const char *name, int all) {
+    static const float exponents[] = {6, 64, 4096};
     char path[512];
     gpu_program program;
     gpu_buffer out;
     snprintf(path, sizeof path, "%s/%s.spv", folder, name);
     gpu_program_create(gpu, path, &program);
     gpu_buffer_create(gpu, SWEEP_BATCH * sizeof(float), &out);
-    for (int number = 13; number <= 15; ++number) {
-        const falloff_constants constants = {
-            .scale = 0x1p-20f, .number = number, .step = all ? 1 : 8};
-        falloff_compare(gpu, &program, &out, constants, name);
+    falloff_constants constants = {.scale = 0x1p-20f, .step = all ? 1 : 64};
+    for (constants.number = 13; constants.number <= 15; ++constants.number) {
+        falloff_compare(gpu, &program, &out, constants, 0, name);
+    }
+    constants.scale = 0x1p-24f;
+    for (int i = 0; i < 12; ++i) {
+        const float n = exponents[i / 4];
+        burnish_composite lobe;
+        CHECK1(burnish_composite_create(&lobe, BURNISH_COMPOSITE_MINIMAX, 3 + i % 4, n) ==
+               BURNISH_LOBE_OK);
+        constants.top = lobe.top;
+        constants.slope = lobe.slope;
+        memcpy(constants.offset, lobe.offset, sizeof lobe.offset);
+        constants.number = lobe.multiplications;
+        falloff_compare(gpu, &program, &out, constants, (double)n, name);
     }
     gpu_buffer_destroy(gpu, &out);
     gpu_program_destroy(gpu, &program);

@@ -115,6 +115,25 @@ static void check_falloffs() {
     }
 }
 
+static float composite(const burnish_composite &at, float cosine) {
+    const float *o = at.offset;
+    return at.multiplications == 3   ? burnishComposite3(cosine, at.top, at.slope, o[0])
+           : at.multiplications == 4 ? burnishComposite4(cosine, at.top, at.slope, o[0], o[1])
+           : at.multiplications == 5 ? burnishComposite5(cosine, at.top, at.slope, o[0], o[1], o[2])
+                                     : burnishComposite6(cosine, at.top, at.slope, o[0], o[1], o[2], o[3]);
+}
+
+static void check_composites() {
+    for (int multiplications = 3; multiplications <= 6; ++multiplications) {
+        burnish_composite lobe;
+        burnish_composite_create(&lobe, BURNISH_COMPOSITE_MINIMAX, multiplications, 64);
+        check(lobe.multiplications == multiplications, "composite", lobe.multiplications, multiplications);
+        for (float c = 0.8f; c < 1.01f; c += 0.0001f) {
+            check(same_bits(composite(lobe, c), burnish_composite_at_cosine(lobe, c)), "composite", (double)c, 64);
+        }
+    }
+}
+
 // Integrals over the hemisphere by the midpoint rule in the cosine.
 static void check_normalization() {
     const int steps = 200000;
@@ -198,6 +217,7 @@ int main(int, char **arguments) {
     check_slopes();
     check_conversions();
     check_falloffs();
+    check_composites();
     check_normalization();
     check_lighting();
     check_area(arguments[2]);
