@@ -365,6 +365,21 @@ float specularBurnish(ShadingData shadingData) {
 }
 #endif
 
+// ---- lighting/specular/composite ----
+
+// NoH^shininess within 0.0009 for a shininess in [16, 65536], in one function. What depends on the shininess alone costs
+// more than the rest: burnishComposite5 with constants from lobe.h in uniforms is cheaper and closer.
+float specularComposite(float NoH, float shininess) {
+    float zeta = max(0.0825871 * shininess - 0.302206 - 0.357094 / shininess, 1.0);
+    float b1 = max(0.0221645 - 1.137416 / shininess, 0.0);
+    float b2 = max(0.7635843 - 12.38983 / shininess, 0.0);
+    float b3 = max(0.0612814 - 1.554842 / shininess, 0.0);
+    float scale1 = 1.0 + b1;
+    float scale2 = scale1 * (scale1 + b2 * scale1);
+    float scale3 = scale2 * (scale2 + b3 * scale2);
+    return burnishComposite5(NoH, 1.0, zeta, b1, b2 * scale1, b3 * scale2) / scale3;
+}
+
 // ---- lighting/burnishLit ----
 
 // The weights of a light's diffuse and specular colour, (max(0, N.L), lobe), of order 2, 4, 8, 16

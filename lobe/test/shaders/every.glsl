@@ -10,7 +10,7 @@ float everyFunction(vec3 N, vec3 L, vec3 V, float n) {
     sum += max(burnishComposite3(lambda, n, zeta, n), burnishComposite4(lambda, n, zeta, n, n));
     sum += max(burnishComposite5(lambda, n, zeta, n, n, n), burnishComposite6(lambda, n, zeta, n, n, n, n));
     sum += max(burnishExpFalloff3(n), max(burnishExpFalloff4(n), burnishExpFalloff5(n)));
-    sum += max(burnishFresnelWeight(n), lambda);
+    sum += max(burnishFresnelWeight(n), specularComposite(lambda, n));
     sum += burnishPower(lambda, n) + burnishSchlick(lambda, n);
     sum += burnishNormalizeLobe(zeta, 2.0) + burnishNormalizePower(n);
     sum += burnishNormalizeLobeDistribution(zeta, 2.0) + burnishNormalizePowerDistribution(n);

@@ -132,6 +132,13 @@ static void check_composites() {
             check(same_bits(composite(lobe, c), burnish_composite_at_cosine(lobe, c)), "composite", (double)c, 64);
         }
     }
+    for (float n = 16; n <= 65536; n *= 1.003f) {
+        for (float x = 0; x < 16; x += 0.1f) {
+            const float c = 1 - x / n;
+            const double value = (double)specularComposite(c, n), exact = std::pow((double)c, (double)n);
+            check(value <= 1 && std::fabs(value - exact) < (double)0.0009f, "composite", value, exact);
+        }
+    }
 }
 
 // Integrals over the hemisphere by the midpoint rule in the cosine.
