@@ -296,7 +296,7 @@ static void falloff_compare(gpu_device *gpu, gpu_program *program, const gpu_buf
 }
 
 static void check_falloffs(gpu_device *gpu, const char *folder, const char *name, int all) {
-    static const float exponents[] = {6, 64, 4096};
+    static const float exponents[] = {24, 64, 4096};
     char path[512];
     gpu_program program;
     gpu_buffer out;
