@@ -32,6 +32,15 @@ double burnish_theory_quadrature(burnish_theory_integrand f, const void *context
                                  const burnish_theory_model *model, double s0, double s1,
                                  double tolerance);
 
+/* Gauss-Legendre's rule on [-1, 1]. */
+enum { BURNISH_THEORY_NODES_MAX = 64 };
+typedef struct burnish_theory_nodes {
+    int count; /* [1, 64] */
+    double nodes[BURNISH_THEORY_NODES_MAX], weights[BURNISH_THEORY_NODES_MAX];
+} burnish_theory_nodes;
+
+void burnish_theory_gauss(int count, burnish_theory_nodes *rule);
+
 /* The integral over c of lobe (times c) for lambda from lambda0 to lambda1, without 2 pi. */
 double burnish_theory_integral_between(const burnish_theory_model *model,
                                        burnish_theory_measure measure, double lambda0,

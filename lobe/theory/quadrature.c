@@ -1,4 +1,4 @@
-/* Adaptive Gauss-Kronrod quadrature, 7 and 15 points. Source of the rule: Kronrod 1965; of
+/* Adaptive Gauss-Kronrod quadrature, 7 and 15 points, and Gauss-Legendre rules. Source of the rule: Kronrod 1965; of
  * its constants: QUADPACK (Piessens et al. 1983). */
 #include <math.h>
 
@@ -80,4 +80,29 @@ double burnish_theory_quadrature(burnish_theory_integrand f, const void *context
         s0 = next;
     }
     return sum;
+}
+
+/* Legendre's polynomial of this degree and its derivative. */
+static double legendre(int degree, double x, double *slope) {
+    double before = 1, value = x;
+    for (int j = 2; j <= degree; ++j) {
+        double next = ((2 * j - 1) * x * value - (j - 1) * before) / j;
+        before = value;
+        value = next;
+    }
+    *slope = degree * (x * value - before) / (x * x - 1);
+    return value;
+}
+
+void burnish_theory_gauss(int count, burnish_theory_nodes *rule) {
+    rule->count = count;
+    for (int i = 0; i < count; ++i) { /* Newton's method from Tricomi's guess */
+        double x = count == 1 ? 1e-9 : cos(BURNISH_PI * (i + 0.75) / (count + 0.5)), slope = 1;
+        for (int step = 0; step < 6; ++step) {
+            double value = count == 1 ? x : legendre(count, x, &slope);
+            x -= value / slope;
+        }
+        rule->nodes[i] = x;
+        rule->weights[i] = 2 / ((1 - x * x) * slope * slope);
+    }
 }

@@ -261,6 +261,51 @@ BURNISH_THEORY_API double burnish_theory_anisotropic(int order, const double zet
 BURNISH_THEORY_API void burnish_theory_anisotropic_sample(int order, const double zeta[2],
                                                           const double xi[2], double direction[3]);
 
+/* ---- Polynomial lobes ---- */
+
+enum { BURNISH_THEORY_DEGREE_MAX = 40 };
+
+/* S = the sum of coefficients[i] u^i where u = 1 + zeta (c - 1) is positive, and 0 elsewhere: a
+ * member of the family, a sum of members with one slope, or a composite lobe. A degree of 0 is a
+ * cap of directions. */
+typedef struct burnish_theory_polynomial {
+    double zeta;                                        /* (0, 1e9] */
+    int degree;                                         /* [0, 40] */
+    double coefficients[BURNISH_THEORY_DEGREE_MAX + 1]; /* any; non-negative ones never cancel */
+} burnish_theory_polynomial;
+
+/* u^order. An order out of range makes the functions below return NaN. */
+BURNISH_THEORY_API burnish_theory_polynomial burnish_theory_polynomial_of_order(int order,
+                                                                                double zeta);
+
+/* ---- Area lights ----
+ *
+ * Lights of radiance 1, reflected by a lobe around the mirror direction r, in steradians. The
+ * errors hold for zeta from 1/2 to 65536 and non-negative coefficients, as shares of the whole
+ * lobe's integral. Every function returns NaN for numbers out of range or not finite, and for a
+ * vector of length 0. docs/theory.md has the derivations. */
+
+/* A sphere, or a disc seen from the front: the integral of the lobe over the directions within an
+ * angle of another direction. Error below 1e-12.
+ *   axis    r, of any length
+ *   normal  cuts the cap off at the horizon of this vector; NULL: not cut
+ *   centre  the middle of the cap, of any length
+ *   angle   [0, pi]; for a sphere of radius s at distance d, asin(s / d) */
+BURNISH_THEORY_API double burnish_theory_cap(const burnish_theory_polynomial *lobe,
+                                             const double axis[3], const double *normal,
+                                             const double centre[3], double angle);
+
+/* A segment: the integral of S sin(psi) / distance^2 along it, psi being the angle between the
+ * segment and the view of its points. A cylinder of radiance 1 around the segment has the
+ * brightness of its diameter times this number, in the limit of a thin one. Error below 1e-12 of
+ * the lobe's integral along the whole line without the falloff of distance, divided by the distance
+ * of the line.
+ *   axis, normal  as above
+ *   ends          two points, seen from the origin; 0 if they are in one direction */
+BURNISH_THEORY_API double burnish_theory_segment(const burnish_theory_polynomial *lobe,
+                                                 const double axis[3], const double *normal,
+                                                 const double ends[2][3]);
+
 /* ---- The light of a polygon ----
  *
  * A polygon of radiance 1, reflected by a lobe around the mirror direction r. docs/theory.md has
@@ -299,6 +344,12 @@ BURNISH_THEORY_API double burnish_theory_polygon(int order, double zeta, const d
                                                  const double *normal, const double (*vertices)[3],
                                                  int count,
                                                  const burnish_theory_polygon_rule *rule);
+
+/* The same for a polynomial lobe. */
+BURNISH_THEORY_API double
+burnish_theory_polygon_polynomial(const burnish_theory_polynomial *lobe, const double axis[3],
+                                  const double *normal, const double (*vertices)[3], int count,
+                                  const burnish_theory_polygon_rule *rule);
 
 /* ---- Sums of lobes for rough surfaces ----
  *

@@ -1,9 +1,8 @@
 /* The light of a polygon reflected by the lobe, as an integral along its edges. */
-#include <math.h>
 #include <string.h>
 
-#include "theory/arc.h"
-#include "theory/internal.h"
+#include "theory/lights/arc.h"
+#include "theory/lights/vectors.h"
 
 /* The sums over the edges, which arrive one after the other. Here a polygon is positive if it turns
  * counter-clockwise as seen from outside the sphere. */
@@ -18,25 +17,6 @@ typedef struct contour {
     double first[3], at[3];
     int first_turns[2]; /* side of the axis and its opposite from the plane of first and at */
 } contour;
-
-static double dot(const double a[3], const double b[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double product[3]) {
-    product[0] = a[1] * b[2] - a[2] * b[1];
-    product[1] = a[2] * b[0] - a[0] * b[2];
-    product[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-static void normalize(const double a[3], double unit[3]) {
-    double largest = fmax(fabs(a[0]), fmax(fabs(a[1]), fabs(a[2])));
-    double scaled[3] = {a[0] / largest, a[1] / largest, a[2] / largest};
-    double length = sqrt(dot(scaled, scaled));
-    for (int i = 0; i < 3; ++i) {
-        unit[i] = scaled[i] / length;
-    }
-}
 
 /* The azimuth at t. The second term is the one of the closed form: at the opposite of the axis both
  * are rounding errors, and cancel. */
@@ -65,25 +45,19 @@ static void add_arc(contour *sums, const burnish_arc_circle *circle, double t0, 
 
 static void add_edge(contour *sums, const double a[3], const double b[3]) {
     double chord[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, normal[3], along[3];
-    const double zeta = sums->rule.zeta, cutoff = sums->rule.cutoff, *axis = sums->axis;
-    cross(a, chord, normal);
-    double sine = sqrt(dot(normal, normal));
+    const double *axis = sums->axis;
+    vector_cross(a, chord, normal);
+    double sine = sqrt(vector_dot(normal, normal));
     if (sine == 0) {
         return;
     }
     for (int i = 0; i < 3; ++i) {
         normal[i] /= sine;
     }
-    burnish_arc_circle circle = {.d = dot(axis, normal)};
-    cross(normal, axis, along);
-    circle.k = sqrt(dot(along, along));
-    circle.base = 1 - zeta * circle.d * circle.d / (1 + circle.k);
-    if (circle.base > 0) { /* k > cutoff; at the rim k cos t = cutoff */
-        double rim = circle.base / zeta * (circle.k + cutoff);
-        circle.limit = rim > 0 ? atan2(sqrt(rim), cutoff) : BURNISH_PI;
-    }
-    double ca = dot(axis, a), cb = dot(axis, b), length = atan2(sine, dot(a, b));
-    double start = atan2(dot(along, a), ca), end = start + length;
+    burnish_arc_circle circle = burnish_arc_circle_around(sums->rule.zeta, axis, normal, along);
+    double ca = vector_dot(axis, a), cb = vector_dot(axis, b),
+           length = atan2(sine, vector_dot(a, b));
+    double start = atan2(vector_dot(along, a), ca), end = start + length;
     int near = start < 0 && end > 0, far = end > BURNISH_PI;
     sums->high = fmax(sums->high, near ? circle.k : fmax(ca, cb));
     sums->low = fmin(sums->low, far ? -circle.k : fmin(ca, cb));
@@ -99,10 +73,10 @@ static void add_corner(contour *sums, const double corner[3]) {
         memcpy(sums->first, corner, sizeof sums->first);
     } else {
         add_edge(sums, sums->at, corner);
-        cross(sums->first, corner, plane);
-        cross(sums->at, corner, side);
-        double orientation = dot(sums->first, side), across = dot(side, sums->axis);
-        double seen = dot(plane, sums->axis);
+        vector_cross(sums->first, corner, plane);
+        vector_cross(sums->at, corner, side);
+        double orientation = vector_dot(sums->first, side), across = vector_dot(side, sums->axis);
+        double seen = vector_dot(plane, sums->axis);
         for (int back = 0; back < 2; ++back) {
             int left = (back ? -across : across) > 0;
             turns[back] = (back ? -seen : seen) >= 0;
@@ -121,17 +95,17 @@ static void add_corner(contour *sums, const double corner[3]) {
 static void add_clipped(contour *sums, const double normal[3], const double (*vertices)[3],
                         int count) {
     double before[3], corner[3], meets[3];
-    normalize(vertices[count - 1], before);
-    double height_before = dot(normal, before);
+    vector_normalize(vertices[count - 1], before);
+    double height_before = vector_dot(normal, before);
     for (int i = 0; i < count; ++i) {
-        normalize(vertices[i], corner);
-        double height = dot(normal, corner);
+        vector_normalize(vertices[i], corner);
+        double height = vector_dot(normal, corner);
         if ((height > 0) != (height_before > 0)) {
             for (int j = 0; j < 3; ++j) {
                 meets[j] = before[j] * height - corner[j] * height_before;
                 meets[j] = height > 0 ? meets[j] : -meets[j];
             }
-            normalize(meets, meets);
+            vector_normalize(meets, meets);
             add_corner(sums, meets);
         }
         if (height > 0) {
@@ -142,59 +116,49 @@ static void add_clipped(contour *sums, const double normal[3], const double (*ve
     }
 }
 
-static int is_finite(const double (*vectors)[3], int count) {
-    for (int i = 0; i < count; ++i) {
-        double size = fabs(vectors[i][0]) + fabs(vectors[i][1]) + fabs(vectors[i][2]);
-        if (!(size > 0 && size < HUGE_VAL)) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
 /* Chooses by the errors that docs/theory.md shows. */
-static burnish_theory_polygon_rule best_rule(int order, double zeta) {
+static burnish_theory_polygon_rule best_rule(const burnish_theory_polynomial *lobe) {
     burnish_theory_polygon_rule rule = {BURNISH_THEORY_POLYGON_CLOSED, 0};
-    if (zeta > 1) {
+    if (lobe->zeta > 1) {
         rule.method = BURNISH_THEORY_POLYGON_GAUSS;
-        rule.terms = 24 + order;
+        rule.terms = 24 + lobe->degree;
     }
     return rule;
 }
 
 static int is_possible(const burnish_theory_polygon_rule *rule, double zeta) {
-    int most = rule->method == BURNISH_THEORY_POLYGON_GAUSS ? BURNISH_ARC_NODES
+    int most = rule->method == BURNISH_THEORY_POLYGON_GAUSS ? BURNISH_THEORY_NODES_MAX
                                                             : BURNISH_THEORY_POLYGON_NARROW_MAX;
     return rule->method == BURNISH_THEORY_POLYGON_CLOSED ||
            (rule->terms >= 1 && rule->terms <= most && zeta >= 1);
 }
 
-double burnish_theory_polygon(int order, double zeta, const double axis[3], const double *normal,
-                              const double (*vertices)[3], int count,
-                              const burnish_theory_polygon_rule *rule) {
+double burnish_theory_polygon_polynomial(const burnish_theory_polynomial *lobe,
+                                         const double axis[3], const double *normal,
+                                         const double (*vertices)[3], int count,
+                                         const burnish_theory_polygon_rule *rule) {
     contour sums = {.high = -1, .low = 1};
-    burnish_theory_polygon_rule best = best_rule(order, zeta);
-    rule = rule ? rule : &best;
-    if (!(zeta > 0 && zeta <= 1e9) || order < 1 || order > BURNISH_THEORY_POLYGON_ORDER_MAX ||
-        !is_possible(rule, zeta) || !is_finite((const double(*)[3])axis, 1) ||
-        !is_finite(vertices, count) || (normal && !is_finite((const double(*)[3])normal, 1))) {
+    if (!burnish_polynomial_is_valid(lobe) ||
+        !vectors_are_directions((const double(*)[3])axis, 1) ||
+        !vectors_are_directions(vertices, count) ||
+        (normal && !vectors_are_directions((const double(*)[3])normal, 1))) {
         return NAN;
     }
-    sums.rule.order = order;
-    sums.rule.zeta = zeta;
-    sums.rule.cutoff = 1 - 1 / zeta;
-    sums.rule.method = rule->method;
-    sums.rule.terms = rule->terms;
-    burnish_arc_prepare(&sums.rule);
-    normalize(axis, sums.axis);
+    burnish_theory_polygon_rule best = best_rule(lobe);
+    rule = rule ? rule : &best;
+    if (!is_possible(rule, lobe->zeta)) {
+        return NAN;
+    }
+    burnish_arc_prepare(&sums.rule, lobe, *rule);
+    vector_normalize(axis, sums.axis);
     for (int i = 0; i < count && !normal; ++i) {
         double corner[3];
-        normalize(vertices[i], corner);
+        vector_normalize(vertices[i], corner);
         add_corner(&sums, corner);
     }
     if (normal && count > 0) {
         double unit[3];
-        normalize(normal, unit);
+        vector_normalize(normal, unit);
         add_clipped(&sums, unit, vertices, count);
     }
     if (sums.count < 3) {
@@ -203,12 +167,20 @@ double burnish_theory_polygon(int order, double zeta, const double axis[3], cons
     add_edge(&sums, sums.at, sums.first);
     /* The azimuth jumps where the path passes the axis or its opposite. G is 0 at the axis; G minus
      * `outside` is 0 at its opposite: take the form that vanishes at the nearer one. */
-    double last = fmax(0, 1 - 2 * zeta);
-    double outside = (1 - pow(last, order + 1)) / (zeta * (order + 1)), sum;
+    double outside = burnish_polynomial_integral(lobe), sum;
     if (sums.high > -sums.low) {
         sum = sums.inside + outside * (sums.swept[0] + 2 * BURNISH_PI * sums.windings[1]);
     } else {
         sum = sums.inside - outside * (sums.swept[1] - 2 * BURNISH_PI * sums.windings[0]);
     }
     return -sum;
+}
+
+double burnish_theory_polygon(int order, double zeta, const double axis[3], const double *normal,
+                              const double (*vertices)[3], int count,
+                              const burnish_theory_polygon_rule *rule) {
+    burnish_theory_polynomial lobe = burnish_theory_polynomial_of_order(order, zeta);
+    return order < 1 || order > BURNISH_THEORY_POLYGON_ORDER_MAX
+               ? NAN
+               : burnish_theory_polygon_polynomial(&lobe, axis, normal, vertices, count, rule);
 }
