@@ -306,6 +306,23 @@ BURNISH_THEORY_API double burnish_theory_segment(const burnish_theory_polynomial
                                                  const double axis[3], const double *normal,
                                                  const double ends[2][3]);
 
+/* The integral of the product of two lobes around different axes, as for an environment made of
+ * lobes. Error below 1e-12 of the smaller whole lobe.
+ *   normal  as above */
+BURNISH_THEORY_API double burnish_theory_product(const burnish_theory_polynomial *a,
+                                                 const double axis_a[3],
+                                                 const burnish_theory_polynomial *b,
+                                                 const double axis_b[3], const double *normal);
+
+/* The light that a lobe around the mirror direction reflects at this incidence: the integral of
+ * S(R.w) N.w over the hemisphere around N, N.R being the cosine. Relative error below 1e-12. The
+ * albedo of a surface is this times the lobe's factor, such as burnish_theory_phong_factor().
+ *   lobe    degree [0, 39]
+ *   cosine  [0, 1]; where it is at least the sine of the lobe's angle of zero, the integral is the
+ *           cosine times its value at 1 */
+BURNISH_THEORY_API double burnish_theory_albedo(const burnish_theory_polynomial *lobe,
+                                                double cosine);
+
 /* ---- The light of a polygon ----
  *
  * A polygon of radiance 1, reflected by a lobe around the mirror direction r. docs/theory.md has

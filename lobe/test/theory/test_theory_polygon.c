@@ -374,6 +374,29 @@ static void check_rules(void) {
     }
 }
 
+/* Twice one power and three times another are a polynomial, by every evaluation. */
+static void check_polynomials(void) {
+    double corners[CORNERS_MAX][3], axis[3];
+    random_state = test_seed(7);
+    for (int i = 0; i < 500; ++i) {
+        int count = random_polygon(corners), order = 1 + i % 23;
+        double zeta = zetas[i % ZETAS];
+        const double(*c)[3] = (const double(*)[3])corners;
+        burnish_theory_polygon_rule rule = {zeta > 1 ? BURNISH_THEORY_POLYGON_NARROW
+                                                     : BURNISH_THEORY_POLYGON_CLOSED,
+                                            6},
+                                    *use = i % 2 ? &rule : NULL;
+        burnish_theory_polynomial lobe = burnish_theory_polynomial_of_order(order + 9, zeta);
+        random_axis(corners, count, zeta, axis);
+        lobe.coefficients[order] = 2;
+        lobe.coefficients[order + 9] = 3;
+        double sum = 2 * burnish_theory_polygon(order, zeta, axis, NULL, c, count, use) +
+                     3 * burnish_theory_polygon(order + 9, zeta, axis, NULL, c, count, use);
+        double value = burnish_theory_polygon_polynomial(&lobe, axis, NULL, c, count, use);
+        NEAR(value, sum, whole(order, zeta));
+    }
+}
+
 static void check_bad_input(void) {
     double good[3][3] = {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, axis[3] = {1, 1, 1};
     double bad[][3] = {{0, 0, 0}, {NAN, 0, 1}, {INFINITY, 0, 0}};
@@ -409,6 +432,7 @@ int main(int count, char **arguments) {
     RUN(check_lambert());
     RUN(check_identities());
     RUN(check_rules());
+    RUN(check_polynomials());
     RUN(check_bad_input());
     return test_end("theory_polygon");
 }

@@ -26,6 +26,12 @@ int burnish_polynomial_is_valid(const burnish_theory_polynomial *lobe) {
     return sum < HUGE_VAL;
 }
 
+int burnish_lights_are_valid(const burnish_theory_polynomial *lobe, const double axis[3],
+                             const double *normal, const double light[3]) {
+    return burnish_polynomial_is_valid(lobe) && vector_is_direction(axis) &&
+           (!normal || vector_is_direction(normal)) && vector_is_direction(light);
+}
+
 double burnish_polynomial_value(const burnish_theory_polynomial *lobe, double u) {
     double sum = 0;
     for (int i = lobe->degree; i >= 0; --i) {

@@ -29,6 +29,10 @@ typedef struct burnish_arc_circle {
 /* Whether slope, degree and coefficients are in range. */
 int burnish_polynomial_is_valid(const burnish_theory_polynomial *lobe);
 
+/* The same for what lights have in common; the normal can be NULL. */
+int burnish_lights_are_valid(const burnish_theory_polynomial *lobe, const double axis[3],
+                             const double *normal, const double light[3]);
+
 /* The polynomial, u being any number. */
 double burnish_polynomial_value(const burnish_theory_polynomial *lobe, double u);
 

@@ -1,6 +1,5 @@
 /* The light of a sphere reflected by a lobe, as an integral along the circle around it. */
 #include "theory/lights/arc.h"
-#include "theory/lights/product.h"
 #include "theory/lights/region.h"
 #include "theory/lights/vectors.h"
 
@@ -48,10 +47,8 @@ double burnish_theory_cap(const burnish_theory_polynomial *lobe, const double ax
     burnish_region_cap caps[BURNISH_REGION_CAPS];
     burnish_product product = {.count = 1, .lobe = {lobe}};
     int count = 0;
-    if (!burnish_polynomial_is_valid(lobe) || !(angle >= 0 && angle <= BURNISH_PI) ||
-        !vectors_are_directions((const double(*)[3])axis, 1) ||
-        !vectors_are_directions((const double(*)[3])centre, 1) ||
-        (normal && !vectors_are_directions((const double(*)[3])normal, 1))) {
+    if (!burnish_lights_are_valid(lobe, axis, normal, centre) ||
+        !(angle >= 0 && angle <= BURNISH_PI)) {
         return NAN;
     }
     vector_normalize(axis, product.axis[0]);

@@ -138,11 +138,13 @@ double burnish_theory_polygon_polynomial(const burnish_theory_polynomial *lobe,
                                          const double (*vertices)[3], int count,
                                          const burnish_theory_polygon_rule *rule) {
     contour sums = {.high = -1, .low = 1};
-    if (!burnish_polynomial_is_valid(lobe) ||
-        !vectors_are_directions((const double(*)[3])axis, 1) ||
-        !vectors_are_directions(vertices, count) ||
-        (normal && !vectors_are_directions((const double(*)[3])normal, 1))) {
+    if (!burnish_lights_are_valid(lobe, axis, normal, axis)) {
         return NAN;
+    }
+    for (int i = 0; i < count; ++i) {
+        if (!vector_is_direction(vertices[i])) {
+            return NAN;
+        }
     }
     burnish_theory_polygon_rule best = best_rule(lobe);
     rule = rule ? rule : &best;

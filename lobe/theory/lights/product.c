@@ -1,13 +1,18 @@
 /* Products of lobes, by quadrature over the common part of their caps. */
-#include "theory/lights/product.h"
+#include <string.h>
 
 #include "theory/lights/arc.h"
+#include "theory/lights/region.h"
 #include "theory/lights/vectors.h"
 
 /* A direction inside the region: of the integral of w over a large one, which is half of that of
  * w x dw along its boundary, and of the integral of w along the boundary of a small one. */
 static void middle_of(const burnish_region *region, double middle[3]) {
     double area[3] = {0, 0, 0}, line[3] = {0, 0, 0};
+    if (region->circles == 1) {
+        memcpy(middle, region->circle[0].cap.centre, sizeof area);
+        return;
+    }
     for (int i = 0; i < region->arcs; ++i) {
         const burnish_region_circle *circle = &region->circle[region->arc[i].circle];
         double half = 0.5 * region->arc[i].length, t = region->arc[i].start + half;
@@ -40,10 +45,10 @@ static double value(const burnish_product *product, const double direction[3]) {
  * y = middle + s (w - middle) have d omega = s det(middle, w, dw/dt) / |y|^3 ds dt. */
 static double ray(const burnish_product *product, const burnish_theory_nodes *rule,
                   const burnish_region_circle *circle, const double middle[3], double t) {
-    double w[3], slope[3], out[3], side[3], sum = 0;
-    burnish_region_point(circle, t, w, slope);
+    double slope[3], out[3], side[3], sum = 0; /* out = w - middle, exact for small caps */
+    burnish_region_point(circle, t, out, slope);
     for (int j = 0; j < 3; ++j) {
-        out[j] = w[j] - middle[j];
+        out[j] += circle->cap.centre[j] - middle[j];
     }
     vector_cross(middle, out, side);
     for (int i = 0; i < rule->count; ++i) {
@@ -76,4 +81,25 @@ double burnish_product_within(const burnish_region *region, const void *context)
         }
     }
     return sum;
+}
+
+double burnish_theory_product(const burnish_theory_polynomial *a, const double axis_a[3],
+                              const burnish_theory_polynomial *b, const double axis_b[3],
+                              const double *normal) {
+    burnish_region_cap caps[BURNISH_REGION_CAPS];
+    burnish_product product = {.count = 2, .lobe = {a, b}};
+    int count = 0;
+    if (!burnish_lights_are_valid(a, axis_a, normal, axis_b) || !burnish_polynomial_is_valid(b)) {
+        return NAN;
+    }
+    vector_normalize(axis_a, product.axis[0]);
+    vector_normalize(axis_b, product.axis[1]);
+    for (int i = 0; i < 2; ++i) {
+        count += burnish_region_support(product.lobe[i]->zeta, product.axis[i], &caps[count]);
+    }
+    if (normal) {
+        vector_normalize(normal, caps[count].centre);
+        caps[count++].angle = 0.5 * BURNISH_PI;
+    }
+    return burnish_region_sum(caps, count, product.axis[0], burnish_product_within, &product);
 }

@@ -143,12 +143,12 @@ int burnish_region_support(double zeta, const double axis[3], burnish_region_cap
     return 1;
 }
 
-void burnish_region_point(const burnish_region_circle *circle, double t, double point[3],
+void burnish_region_point(const burnish_region_circle *circle, double t, double offset[3],
                           double slope[3]) {
-    double sine = sin(circle->cap.angle), x = sine * cos(t), y = sine * sin(t);
+    double angle = circle->cap.angle, half = sin(0.5 * angle);
+    double x = sin(angle) * cos(t), y = sin(angle) * sin(t);
     for (int i = 0; i < 3; ++i) {
-        point[i] =
-            cos(circle->cap.angle) * circle->cap.centre[i] + x * circle->x[i] + y * circle->y[i];
+        offset[i] = x * circle->x[i] + y * circle->y[i] - 2 * half * half * circle->cap.centre[i];
         slope[i] = x * circle->y[i] - y * circle->x[i];
     }
 }

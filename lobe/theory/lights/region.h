@@ -2,6 +2,8 @@
 #ifndef BURNISH_THEORY_REGION_H
 #define BURNISH_THEORY_REGION_H
 
+#include "burnish/theory.h"
+
 enum { BURNISH_REGION_CAPS = 3, BURNISH_REGION_ARCS = 3 * BURNISH_REGION_CAPS };
 
 /* The unit vectors within an angle of a unit vector. */
@@ -39,8 +41,18 @@ double burnish_region_sum(const burnish_region_cap *caps, int count, const doubl
 /* Where a lobe is positive; returns 0 if that is everywhere. */
 int burnish_region_support(double zeta, const double axis[3], burnish_region_cap *cap);
 
-/* The point of a circle, and its derivative in t. */
-void burnish_region_point(const burnish_region_circle *circle, double t, double point[3],
+/* The point of a circle, minus the centre, and its derivative in t. */
+void burnish_region_point(const burnish_region_circle *circle, double t, double offset[3],
                           double slope[3]);
+
+/* Polynomials in the cosines to one or two axes. */
+typedef struct burnish_product {
+    int count;
+    const burnish_theory_polynomial *lobe[2];
+    double axis[2][3];
+} burnish_product;
+
+/* The integral of the product, in which u is any number. context: burnish_product. */
+double burnish_product_within(const burnish_region *region, const void *context);
 
 #endif

@@ -7,17 +7,14 @@
 /* Cuts a segment off at the horizon; returns 0 if nothing is left. */
 static int clip(double ends[2][3], const double normal[3]) {
     double height[2] = {vector_dot(ends[0], normal), vector_dot(ends[1], normal)};
-    int below = height[0] <= 0 ? 0 : 1;
-    if (height[0] <= 0 && height[1] <= 0) {
-        return 0;
-    }
-    if (height[below] <= 0) {
+    int below = height[1] < height[0];
+    if (height[below] < 0) {
         double share = height[below] / (height[below] - height[!below]);
         for (int i = 0; i < 3; ++i) {
             ends[below][i] += share * (ends[!below][i] - ends[below][i]);
         }
     }
-    return 1;
+    return height[!below] > 0;
 }
 
 /* The integral of S cos(t - foot) over an arc within the lobe: by Gauss's rule, nothing cancels. */
@@ -64,9 +61,7 @@ static double integrate(const burnish_theory_polynomial *lobe, const double axis
 double burnish_theory_segment(const burnish_theory_polynomial *lobe, const double axis[3],
                               const double *normal, const double ends[2][3]) {
     double unit[3], scaled[2][3];
-    if (!burnish_polynomial_is_valid(lobe) ||
-        !vectors_are_directions((const double(*)[3])axis, 1) || !vectors_are_directions(ends, 2) ||
-        (normal && !vectors_are_directions((const double(*)[3])normal, 1))) {
+    if (!burnish_lights_are_valid(lobe, axis, normal, ends[0]) || !vector_is_direction(ends[1])) {
         return NAN;
     }
     double size = fmax(vector_largest(ends[0]), vector_largest(ends[1]));

@@ -28,15 +28,10 @@ static inline void vector_normalize(const double a[3], double unit[3]) {
     }
 }
 
-/* Whether each is finite and has a length. */
-static inline int vectors_are_directions(const double (*vectors)[3], int count) {
-    for (int i = 0; i < count; ++i) {
-        double size = fabs(vectors[i][0]) + fabs(vectors[i][1]) + fabs(vectors[i][2]);
-        if (!(size > 0 && size < HUGE_VAL)) {
-            return 0;
-        }
-    }
-    return 1;
+/* Whether it is finite and has a length. */
+static inline int vector_is_direction(const double a[3]) {
+    double size = fabs(a[0]) + fabs(a[1]) + fabs(a[2]);
+    return size > 0 && size < HUGE_VAL;
 }
 
 #endif
