@@ -261,57 +261,49 @@ BURNISH_THEORY_API double burnish_theory_anisotropic(int order, const double zet
 BURNISH_THEORY_API void burnish_theory_anisotropic_sample(int order, const double zeta[2],
                                                           const double xi[2], double direction[3]);
 
-/* ---- Polynomial lobes ---- */
-
-enum { BURNISH_THEORY_DEGREE_MAX = 40 };
-
-/* S = the sum of coefficients[i] u^i where u = 1 + zeta (c - 1) is positive, and 0 elsewhere: a
- * member of the family, a sum of members with one slope, or a composite lobe. A degree of 0 is a
- * cap of directions. */
-typedef struct burnish_theory_polynomial {
-    double zeta;                                        /* (0, 1e9] */
-    int degree;                                         /* [0, 40] */
-    double coefficients[BURNISH_THEORY_DEGREE_MAX + 1]; /* any; non-negative ones never cancel */
-} burnish_theory_polynomial;
-
-/* u^order. An order out of range makes the functions below return NaN. */
-BURNISH_THEORY_API burnish_theory_polynomial burnish_theory_polynomial_of_order(int order,
-                                                                                double zeta);
-
 /* ---- Area lights ----
  *
- * Lights of radiance 1, reflected by a lobe around the mirror direction r, in steradians. The
- * errors hold for zeta from 1/2 to 65536 and non-negative coefficients, as shares of the whole
- * lobe's integral. Every function returns NaN for numbers out of range or not finite, and for a
- * vector of length 0. docs/theory.md has the derivations. */
+ * Lights of radiance 1, reflected by a lobe around the mirror direction r. The errors hold for zeta
+ * from 0.3 to 65536 and coefficients >= 0. Every function returns NaN for numbers out of range or
+ * not finite, and for a vector of length 0. docs/theory.md has the derivations. */
 
-/* A sphere, or a disc seen from the front: the integral of the lobe over the directions within an
- * angle of another direction. Error below 1e-12.
+enum { BURNISH_THEORY_POWERS_MAX = 40 };
+
+/* S = the sum of coefficients[i] u^i where u = 1 + zeta (c - 1) is positive, and 0 elsewhere: a
+ * member of the family, a sum of members with one slope, or a composite lobe. Degree 0 is a cap. */
+typedef struct burnish_theory_powers {
+    double zeta; /* (0, 1e9] */
+    int degree;  /* [0, 40] */
+    double coefficients[BURNISH_THEORY_POWERS_MAX + 1];
+} burnish_theory_powers;
+
+/* u^order. An order that is not in [0, 40] makes the functions below return NaN. */
+BURNISH_THEORY_API burnish_theory_powers burnish_theory_powers_of_order(int order, double zeta);
+
+/* A sphere: the integral of S over the directions within an angle of another direction, in
+ * steradians. Error below 1e-12 of the whole lobe.
  *   axis    r, of any length
- *   normal  cuts the cap off at the horizon of this vector; NULL: not cut
+ *   normal  cuts the light off at the horizon of this vector; NULL: not cut
  *   centre  the middle of the cap, of any length
  *   angle   [0, pi]; for a sphere of radius s at distance d, asin(s / d) */
-BURNISH_THEORY_API double burnish_theory_cap(const burnish_theory_polynomial *lobe,
+BURNISH_THEORY_API double burnish_theory_cap(const burnish_theory_powers *lobe,
                                              const double axis[3], const double *normal,
                                              const double centre[3], double angle);
 
-/* A segment: the integral of S sin(psi) / distance^2 along it, psi being the angle between the
- * segment and the view of its points. A cylinder of radiance 1 around the segment has the
- * brightness of its diameter times this number, in the limit of a thin one. Error below 1e-12 of
- * the lobe's integral along the whole line without the falloff of distance, divided by the distance
- * of the line.
- *   axis, normal  as above
- *   ends          two points, seen from the origin; 0 if they are in one direction */
-BURNISH_THEORY_API double burnish_theory_segment(const burnish_theory_polynomial *lobe,
+/* A thin cylinder: the integral along a segment of S sin(psi) / distance^2, psi being the angle
+ * between the segment and the view of its points. The cylinder's brightness is this times its
+ * diameter. Error below 1e-12 of S(1) times the lobe's angle of zero, divided by the distance of the
+ * line, unless both ends are far from the foot of the perpendicular.
+ *   ends  two points, seen from the origin; 0 if they are in one direction */
+BURNISH_THEORY_API double burnish_theory_segment(const burnish_theory_powers *lobe,
                                                  const double axis[3], const double *normal,
                                                  const double ends[2][3]);
 
 /* The integral of the product of two lobes around different axes, as for an environment made of
- * lobes. Error below 1e-12 of the smaller whole lobe.
- *   normal  as above */
-BURNISH_THEORY_API double burnish_theory_product(const burnish_theory_polynomial *a,
+ * lobes. Error below 1e-12 of the smaller lobe, times the peak of the other. */
+BURNISH_THEORY_API double burnish_theory_product(const burnish_theory_powers *a,
                                                  const double axis_a[3],
-                                                 const burnish_theory_polynomial *b,
+                                                 const burnish_theory_powers *b,
                                                  const double axis_b[3], const double *normal);
 
 /* The light that a lobe around the mirror direction reflects at this incidence: the integral of
@@ -320,8 +312,7 @@ BURNISH_THEORY_API double burnish_theory_product(const burnish_theory_polynomial
  *   lobe    degree [0, 39]
  *   cosine  [0, 1]; where it is at least the sine of the lobe's angle of zero, the integral is the
  *           cosine times its value at 1 */
-BURNISH_THEORY_API double burnish_theory_albedo(const burnish_theory_polynomial *lobe,
-                                                double cosine);
+BURNISH_THEORY_API double burnish_theory_albedo(const burnish_theory_powers *lobe, double cosine);
 
 /* ---- The light of a polygon ----
  *
@@ -364,7 +355,7 @@ BURNISH_THEORY_API double burnish_theory_polygon(int order, double zeta, const d
 
 /* The same for a polynomial lobe. */
 BURNISH_THEORY_API double
-burnish_theory_polygon_polynomial(const burnish_theory_polynomial *lobe, const double axis[3],
+burnish_theory_polygon_polynomial(const burnish_theory_powers *lobe, const double axis[3],
                                   const double *normal, const double (*vertices)[3], int count,
                                   const burnish_theory_polygon_rule *rule);
 

@@ -43,8 +43,8 @@ static void random_beside(const double from[3], double angle, double direction[3
 }
 
 /* An order, or any non-negative coefficients. */
-static burnish_theory_polynomial random_lobe(double zeta) {
-    burnish_theory_polynomial lobe = burnish_theory_polynomial_of_order((int)spread(1, 40), zeta);
+static burnish_theory_powers random_lobe(double zeta) {
+    burnish_theory_powers lobe = burnish_theory_powers_of_order((int)spread(1, 40), zeta);
     for (int i = 0, any = uniform(0, 1) < 0.5; i <= lobe.degree && any; ++i) {
         lobe.coefficients[i] = uniform(0, 1);
     }
@@ -97,7 +97,7 @@ static real integrate(integrand f, const void *context, real *breaks, int count)
     return sum;
 }
 
-static real value(const burnish_theory_polynomial *lobe, real lambda) {
+static real value(const burnish_theory_powers *lobe, real lambda) {
     real u = 1 - lobe->zeta * lambda, sum = 0;
     for (int i = lobe->degree; i >= 0; --i) {
         sum = sum * u + lobe->coefficients[i];
@@ -112,7 +112,7 @@ static real support(double zeta) {
 
 /* Caps at angles from the axis of a lobe; the second one is at an azimuth from the first. */
 typedef struct {
-    const burnish_theory_polynomial *lobe, *other; /* other: around the first cap, or NULL */
+    const burnish_theory_powers *lobe, *other; /* other: around the first cap, or NULL */
     real away[CAPS], radius[CAPS], azimuth;
     real ring; /* the angle of the ring that is being integrated */
     int count;
@@ -165,9 +165,8 @@ static int corners(const real axis[3], real (*centres)[3], const real *radius, r
 }
 
 /* The lobe, times `other` around the first cap, over the common part of caps. */
-static double by_rings(const burnish_theory_polynomial *lobe,
-                       const burnish_theory_polynomial *other, const double axis[3],
-                       const double *const *centres, const double *radius) {
+static double by_rings(const burnish_theory_powers *lobe, const burnish_theory_powers *other,
+                       const double axis[3], const double *const *centres, const double *radius) {
     rings r = {.lobe = lobe, .other = other};
     real z[3], c[CAPS][3], aside[3], breaks[BREAKS] = {0, support(lobe->zeta)};
     int count = 2;
@@ -189,7 +188,7 @@ static double by_rings(const burnish_theory_polynomial *lobe,
     return (double)integrate(ring, &r, breaks, count);
 }
 
-static double whole(const burnish_theory_polynomial *lobe) {
+static double whole(const burnish_theory_powers *lobe) {
     rings r = {.lobe = lobe};
     real breaks[2] = {0, support(lobe->zeta)};
     return (double)integrate(ring, &r, breaks, 2);
@@ -214,7 +213,7 @@ static void check_caps(void) {
     random_state = test_seed(1);
     for (int i = 0; i < 3000; ++i) {
         double axis[3], centre[3], normal[3], angle[CAPS] = {0, (double)PI / 2};
-        burnish_theory_polynomial lobe = random_lobe(zetas[i % ZETAS]);
+        burnish_theory_powers lobe = random_lobe(zetas[i % ZETAS]);
         random_direction(axis);
         int within = random_cap(axis, lobe.zeta, centre, angle) && i % 3;
         random_beside(centre, (double)PI / 2 + angle[0] * uniform(-1.2, 1.2), normal);
@@ -233,7 +232,7 @@ static void check_caps(void) {
 /* ---- Segments ---- */
 
 typedef struct {
-    const burnish_theory_polynomial *lobe;
+    const burnish_theory_powers *lobe;
     real p, q, distance; /* cosines from the axis to the foot and to the direction of the line */
 } line;
 
@@ -244,7 +243,7 @@ static real seen(real angle, const void *context) {
 }
 
 /* Also sets the distance of the line. */
-static double by_angles(const burnish_theory_polynomial *lobe, const double axis[3],
+static double by_angles(const burnish_theory_powers *lobe, const double axis[3],
                         const double *normal, const double ends[2][3], double *distance) {
     real a[3], b[3], along[3], foot[3], at[2], r[3], n[3], breaks[9];
     line l = {.lobe = lobe};
@@ -299,7 +298,7 @@ static void check_segments(void) {
     random_state = test_seed(2);
     for (int i = 0; i < 3000; ++i) {
         double axis[3], normal[3], ends[2][3], distance;
-        burnish_theory_polynomial lobe = random_lobe(zetas[i % ZETAS]);
+        burnish_theory_powers lobe = random_lobe(zetas[i % ZETAS]);
         random_direction(axis);
         random_ends(axis, lobe.zeta, ends);
         random_beside(axis, uniform(0, (double)PI / 2 + 0.5), normal);
@@ -322,8 +321,8 @@ static void check_products(void) {
     random_state = test_seed(3);
     for (int i = 0; i < 250; ++i) {
         double axis[2][3], normal[3], radius[CAPS] = {0, (double)PI / 2};
-        burnish_theory_polynomial a = random_lobe(zetas[i % ZETAS]);
-        burnish_theory_polynomial b = random_lobe(zetas[(int)uniform(0, ZETAS)]);
+        burnish_theory_powers a = random_lobe(zetas[i % ZETAS]);
+        burnish_theory_powers b = random_lobe(zetas[(int)uniform(0, ZETAS)]);
         double reach = (double)(support(a.zeta) + support(b.zeta));
         radius[0] = (double)support(b.zeta);
         random_direction(axis[0]);
@@ -344,13 +343,13 @@ static void check_products(void) {
 /* ---- Albedo ---- */
 
 static void check_albedo(void) {
-    const burnish_theory_polynomial weight = burnish_theory_polynomial_of_order(1, 1);
+    const burnish_theory_powers weight = burnish_theory_powers_of_order(1, 1);
     const double radius[CAPS] = {(double)PI / 2, 0}, normal[3] = {0, 0, 1};
     const double *caps[CAPS] = {normal, NULL};
     double worst = 0;
     random_state = test_seed(5);
     for (int i = 0; i < 400; ++i) {
-        burnish_theory_polynomial lobe = random_lobe(zetas[i % ZETAS]);
+        burnish_theory_powers lobe = random_lobe(zetas[i % ZETAS]);
         double height =
             (double)support(lobe.zeta) * uniform(0, 1.2) * (i % 5 ? 1 : spread(1e-9, 1));
         double cosine = sin(fmin(height, (double)PI / 2));
@@ -368,11 +367,11 @@ static void check_albedo(void) {
 }
 
 static void check_bad_input(void) {
-    const burnish_theory_polynomial good = burnish_theory_polynomial_of_order(2, 1);
+    const burnish_theory_powers good = burnish_theory_powers_of_order(2, 1);
     const double z[3] = {0, 0, 1}, ends[2][3] = {{1, 0, 0}, {2, 0, 0}};
     const double vectors[3][3] = {{0, 0, 0}, {NAN, 0, 1}, {INFINITY, 0, 0}};
-    burnish_theory_polynomial lobes[5] = {{.zeta = 0}, {.zeta = NAN}, {1, -1, {0}}};
-    lobes[3] = burnish_theory_polynomial_of_order(BURNISH_THEORY_DEGREE_MAX + 1, 1);
+    burnish_theory_powers lobes[5] = {{.zeta = 0}, {.zeta = NAN}, {1, -1, {0}}};
+    lobes[3] = burnish_theory_powers_of_order(BURNISH_THEORY_POWERS_MAX + 1, 1);
     lobes[4] = good;
     lobes[4].coefficients[1] = INFINITY;
     for (int i = 0; i < 5; ++i) {

@@ -386,7 +386,7 @@ static void check_polynomials(void) {
                                                      : BURNISH_THEORY_POLYGON_CLOSED,
                                             6},
                                     *use = i % 2 ? &rule : NULL;
-        burnish_theory_polynomial lobe = burnish_theory_polynomial_of_order(order + 9, zeta);
+        burnish_theory_powers lobe = burnish_theory_powers_of_order(order + 9, zeta);
         random_axis(corners, count, zeta, axis);
         lobe.coefficients[order] = 2;
         lobe.coefficients[order + 9] = 3;

@@ -5,14 +5,14 @@
 /* With N = p R + k e, the integral of S N.w has two parts. That of S c p is a cap's. Along the
  * azimuth, (e.w) integrates to the cosine to the third axis, so the other part is the integral of
  * S sin(t) d(cos t) k^2 along the horizon. */
-double burnish_theory_albedo(const burnish_theory_polynomial *lobe, double cosine) {
-    if (!burnish_polynomial_is_valid(lobe) || lobe->degree >= BURNISH_THEORY_DEGREE_MAX ||
+double burnish_theory_albedo(const burnish_theory_powers *lobe, double cosine) {
+    if (!burnish_polynomial_is_valid(lobe) || lobe->degree >= BURNISH_THEORY_POWERS_MAX ||
         !(cosine >= 0 && cosine <= 1)) {
         return NAN;
     }
     double square = (1 - cosine) * (1 + cosine), sum = 0, along[3];
     double axis[3] = {sqrt(square), 0, cosine}, normal[3] = {0, 0, 1};
-    burnish_theory_polynomial weighted = {.zeta = lobe->zeta, .degree = lobe->degree + 1};
+    burnish_theory_powers weighted = {.zeta = lobe->zeta, .degree = lobe->degree + 1};
     for (int i = 0; i <= lobe->degree; ++i) { /* S c, c = 1 - (1 - u) / zeta */
         weighted.coefficients[i] += lobe->coefficients[i] * (1 - 1 / lobe->zeta);
         weighted.coefficients[i + 1] += lobe->coefficients[i] / lobe->zeta;

@@ -5,17 +5,17 @@
 
 #include "theory/lights/vectors.h"
 
-enum { DEGREE_MAX = BURNISH_THEORY_DEGREE_MAX };
+enum { DEGREE_MAX = BURNISH_THEORY_POWERS_MAX };
 
-burnish_theory_polynomial burnish_theory_polynomial_of_order(int order, double zeta) {
-    burnish_theory_polynomial lobe = {.zeta = zeta, .degree = order};
+burnish_theory_powers burnish_theory_powers_of_order(int order, double zeta) {
+    burnish_theory_powers lobe = {.zeta = zeta, .degree = order};
     if (order >= 0 && order <= DEGREE_MAX) {
         lobe.coefficients[order] = 1;
     }
     return lobe;
 }
 
-int burnish_polynomial_is_valid(const burnish_theory_polynomial *lobe) {
+int burnish_polynomial_is_valid(const burnish_theory_powers *lobe) {
     double sum = 0;
     if (!(lobe->zeta > 0 && lobe->zeta <= 1e9) || lobe->degree < 0 || lobe->degree > DEGREE_MAX) {
         return 0;
@@ -26,13 +26,13 @@ int burnish_polynomial_is_valid(const burnish_theory_polynomial *lobe) {
     return sum < HUGE_VAL;
 }
 
-int burnish_lights_are_valid(const burnish_theory_polynomial *lobe, const double axis[3],
+int burnish_lights_are_valid(const burnish_theory_powers *lobe, const double axis[3],
                              const double *normal, const double light[3]) {
     return burnish_polynomial_is_valid(lobe) && vector_is_direction(axis) &&
            (!normal || vector_is_direction(normal)) && vector_is_direction(light);
 }
 
-double burnish_polynomial_value(const burnish_theory_polynomial *lobe, double u) {
+double burnish_polynomial_value(const burnish_theory_powers *lobe, double u) {
     double sum = 0;
     for (int i = lobe->degree; i >= 0; --i) {
         sum = sum * u + lobe->coefficients[i];
@@ -40,7 +40,7 @@ double burnish_polynomial_value(const burnish_theory_polynomial *lobe, double u)
     return sum;
 }
 
-double burnish_polynomial_integral(const burnish_theory_polynomial *lobe) {
+double burnish_polynomial_integral(const burnish_theory_powers *lobe) {
     double last = fmax(0, 1 - 2 * lobe->zeta), sum = 0;
     for (int i = 0; i <= lobe->degree; ++i) {
         sum += lobe->coefficients[i] * (1 - pow(last, i + 1)) / (lobe->zeta * (i + 1));
@@ -48,7 +48,7 @@ double burnish_polynomial_integral(const burnish_theory_polynomial *lobe) {
     return sum;
 }
 
-void burnish_arc_prepare(burnish_arc_rule *rule, const burnish_theory_polynomial *lobe,
+void burnish_arc_prepare(burnish_arc_rule *rule, const burnish_theory_powers *lobe,
                          burnish_theory_polygon_rule method) {
     double tail = 0;
     rule->degree = lobe->degree;

@@ -13,7 +13,7 @@ typedef struct burnish_arc_rule {
     double cutoff; /* the lobe is 0 where c <= cutoff */
     /* Those of T(u) (degree + 1), T being the integral of S from u to 1 divided by 1 - u. A power
      * has ones. */
-    double tails[BURNISH_THEORY_DEGREE_MAX + 1];
+    double tails[BURNISH_THEORY_POWERS_MAX + 1];
     burnish_theory_polygon_method method;
     int terms;
     burnish_theory_nodes gauss;
@@ -27,20 +27,20 @@ typedef struct burnish_arc_circle {
 } burnish_arc_circle;
 
 /* Whether slope, degree and coefficients are in range. */
-int burnish_polynomial_is_valid(const burnish_theory_polynomial *lobe);
+int burnish_polynomial_is_valid(const burnish_theory_powers *lobe);
 
 /* The same for what lights have in common; the normal can be NULL. */
-int burnish_lights_are_valid(const burnish_theory_polynomial *lobe, const double axis[3],
+int burnish_lights_are_valid(const burnish_theory_powers *lobe, const double axis[3],
                              const double *normal, const double light[3]);
 
 /* The polynomial, u being any number. */
-double burnish_polynomial_value(const burnish_theory_polynomial *lobe, double u);
+double burnish_polynomial_value(const burnish_theory_powers *lobe, double u);
 
 /* The integral of S over c in [-1, 1]. */
-double burnish_polynomial_integral(const burnish_theory_polynomial *lobe);
+double burnish_polynomial_integral(const burnish_theory_powers *lobe);
 
 /* Fills the tails, and the nodes if the method has any. */
-void burnish_arc_prepare(burnish_arc_rule *rule, const burnish_theory_polynomial *lobe,
+void burnish_arc_prepare(burnish_arc_rule *rule, const burnish_theory_powers *lobe,
                          burnish_theory_polygon_rule method);
 
 /* (degree + 1) T(u). */

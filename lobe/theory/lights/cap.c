@@ -42,7 +42,7 @@ static double around(const burnish_region *region, const void *context) {
     return sum;
 }
 
-double burnish_theory_cap(const burnish_theory_polynomial *lobe, const double axis[3],
+double burnish_theory_cap(const burnish_theory_powers *lobe, const double axis[3],
                           const double *normal, const double centre[3], double angle) {
     burnish_region_cap caps[BURNISH_REGION_CAPS];
     burnish_product product = {.count = 1, .lobe = {lobe}};

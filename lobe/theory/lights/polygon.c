@@ -117,7 +117,7 @@ static void add_clipped(contour *sums, const double normal[3], const double (*ve
 }
 
 /* Chooses by the errors that docs/theory.md shows. */
-static burnish_theory_polygon_rule best_rule(const burnish_theory_polynomial *lobe) {
+static burnish_theory_polygon_rule best_rule(const burnish_theory_powers *lobe) {
     burnish_theory_polygon_rule rule = {BURNISH_THEORY_POLYGON_CLOSED, 0};
     if (lobe->zeta > 1) {
         rule.method = BURNISH_THEORY_POLYGON_GAUSS;
@@ -133,10 +133,9 @@ static int is_possible(const burnish_theory_polygon_rule *rule, double zeta) {
            (rule->terms >= 1 && rule->terms <= most && zeta >= 1);
 }
 
-double burnish_theory_polygon_polynomial(const burnish_theory_polynomial *lobe,
-                                         const double axis[3], const double *normal,
-                                         const double (*vertices)[3], int count,
-                                         const burnish_theory_polygon_rule *rule) {
+double burnish_theory_polygon_polynomial(const burnish_theory_powers *lobe, const double axis[3],
+                                         const double *normal, const double (*vertices)[3],
+                                         int count, const burnish_theory_polygon_rule *rule) {
     contour sums = {.high = -1, .low = 1};
     if (!burnish_lights_are_valid(lobe, axis, normal, axis)) {
         return NAN;
@@ -181,7 +180,7 @@ double burnish_theory_polygon_polynomial(const burnish_theory_polynomial *lobe,
 double burnish_theory_polygon(int order, double zeta, const double axis[3], const double *normal,
                               const double (*vertices)[3], int count,
                               const burnish_theory_polygon_rule *rule) {
-    burnish_theory_polynomial lobe = burnish_theory_polynomial_of_order(order, zeta);
+    burnish_theory_powers lobe = burnish_theory_powers_of_order(order, zeta);
     return order < 1 || order > BURNISH_THEORY_POLYGON_ORDER_MAX
                ? NAN
                : burnish_theory_polygon_polynomial(&lobe, axis, normal, vertices, count, rule);

@@ -83,8 +83,8 @@ double burnish_product_within(const burnish_region *region, const void *context)
     return sum;
 }
 
-double burnish_theory_product(const burnish_theory_polynomial *a, const double axis_a[3],
-                              const burnish_theory_polynomial *b, const double axis_b[3],
+double burnish_theory_product(const burnish_theory_powers *a, const double axis_a[3],
+                              const burnish_theory_powers *b, const double axis_b[3],
                               const double *normal) {
     burnish_region_cap caps[BURNISH_REGION_CAPS];
     burnish_product product = {.count = 2, .lobe = {a, b}};

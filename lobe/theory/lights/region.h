@@ -48,7 +48,7 @@ void burnish_region_point(const burnish_region_circle *circle, double t, double 
 /* Polynomials in the cosines to one or two axes. */
 typedef struct burnish_product {
     int count;
-    const burnish_theory_polynomial *lobe[2];
+    const burnish_theory_powers *lobe[2];
     double axis[2][3];
 } burnish_product;
 

@@ -18,7 +18,7 @@ static int clip(double ends[2][3], const double normal[3]) {
 }
 
 /* The integral of S cos(t - foot) over an arc within the lobe: by Gauss's rule, nothing cancels. */
-static double along_arc(const burnish_theory_polynomial *lobe, const burnish_arc_circle *circle,
+static double along_arc(const burnish_theory_powers *lobe, const burnish_arc_circle *circle,
                         double foot, double start, double length) {
     burnish_theory_nodes rule;
     double half = 0.5 * length, sum = 0;
@@ -31,7 +31,7 @@ static double along_arc(const burnish_theory_polynomial *lobe, const burnish_arc
     return half * sum;
 }
 
-static double integrate(const burnish_theory_polynomial *lobe, const double axis[3],
+static double integrate(const burnish_theory_powers *lobe, const double axis[3],
                         double ends[2][3]) {
     double chord[3], normal[3], along[3], unit[3], sum = 0;
     for (int i = 0; i < 3; ++i) {
@@ -58,7 +58,7 @@ static double integrate(const burnish_theory_polynomial *lobe, const double axis
     return sum / distance;
 }
 
-double burnish_theory_segment(const burnish_theory_polynomial *lobe, const double axis[3],
+double burnish_theory_segment(const burnish_theory_powers *lobe, const double axis[3],
                               const double *normal, const double ends[2][3]) {
     double unit[3], scaled[2][3];
     if (!burnish_lights_are_valid(lobe, axis, normal, ends[0]) || !vector_is_direction(ends[1])) {
