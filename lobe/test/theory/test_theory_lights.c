@@ -211,7 +211,7 @@ static int random_cap(const double axis[3], double zeta, double centre[3], doubl
 static void check_caps(void) {
     double worst[2] = {0, 0};
     random_state = test_seed(1);
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < 2000; ++i) {
         double axis[3], centre[3], normal[3], angle[CAPS] = {0, (double)PI / 2};
         burnish_theory_powers lobe = random_lobe(zetas[i % ZETAS]);
         random_direction(axis);
@@ -296,7 +296,7 @@ static void random_ends(const double axis[3], double zeta, double ends[2][3]) {
 static void check_segments(void) {
     double worst = 0;
     random_state = test_seed(2);
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < 2000; ++i) {
         double axis[3], normal[3], ends[2][3], distance;
         burnish_theory_powers lobe = random_lobe(zetas[i % ZETAS]);
         random_direction(axis);
@@ -319,7 +319,7 @@ static void check_segments(void) {
 static void check_products(void) {
     double worst = 0;
     random_state = test_seed(3);
-    for (int i = 0; i < 250; ++i) {
+    for (int i = 0; i < 150; ++i) {
         double axis[2][3], normal[3], radius[CAPS] = {0, (double)PI / 2};
         burnish_theory_powers a = random_lobe(zetas[i % ZETAS]);
         burnish_theory_powers b = random_lobe(zetas[(int)uniform(0, ZETAS)]);
@@ -348,7 +348,7 @@ static void check_albedo(void) {
     const double *caps[CAPS] = {normal, NULL};
     double worst = 0;
     random_state = test_seed(5);
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < 250; ++i) {
         burnish_theory_powers lobe = random_lobe(zetas[i % ZETAS]);
         double height =
             (double)support(lobe.zeta) * uniform(0, 1.2) * (i % 5 ? 1 : spread(1e-9, 1));
