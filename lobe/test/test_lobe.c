@@ -447,6 +447,17 @@ static void check_composite_errors(void) {
     }
 }
 
+/* The peak is 1 where rounding makes that hard: with one step, whose b is tiny. */
+static void check_composite_peaks(void) {
+    burnish_composite lobe;
+    int missed = 0;
+    for (float n = 4.01f; n < 4.02f; n = nextafterf(n, 5)) {
+        (void)burnish_composite_create(&lobe, BURNISH_COMPOSITE_MINIMAX, 4, n);
+        missed += burnish_composite_at_lambda(lobe, 0) != 1;
+    }
+    CHECK(missed == 0, "%d peaks are not 1", missed);
+}
+
 /* Whole powers of two are exact, with the multiplications of their product. */
 static void check_composite_products(void) {
     for (int m = 2; m <= 6; ++m) {
@@ -664,6 +675,7 @@ int main(int count, char **arguments) {
     RUN(check_cutoff());
     RUN(check_composite_errors());
     RUN(check_composite_products());
+    RUN(check_composite_peaks());
     RUN(check_composite_constants());
     RUN(check_composite_accuracy());
     RUN(check_composite_display());

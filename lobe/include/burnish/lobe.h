@@ -530,10 +530,11 @@ static inline burnish_lobe_status burnish_composite_create(burnish_composite *lo
         last = last < 0 && b[i] > 0 ? i : last;
     }
     /* Rounding would leave a peak of nearly 1. Try values of top around its own; each sets the last
-     * offset so that v (v + offset) is 1 within a rounding error, which 3 of 4 values hit. */
+     * offset so that v (v + offset) is 1 within a rounding error, which 3 of 4 values hit. A tiny
+     * offset of the only step, as for n = 4.0137, needs 592 tries, all others 33 at most. */
     top = (float)burnish_composite_root(scale);
     lobe->top = top;
-    for (i = 0; last >= 0 && i < 64; ++i) {
+    for (i = 0; last >= 0 && i < 1024; ++i) {
         double v, offset;
         lobe->top = top + (float)(i % 2 ? (i + 1) / 2 : -i / 2) * (1.0f / 16777216.0f);
         lobe->multiplications = last + 2;
