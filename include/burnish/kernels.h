@@ -9,7 +9,7 @@
  *   2. Lobes over arrays of cosines: burnish_kernels_lobe_of_cosines(kernels, &lobe, n, ...).
  *   3. Lighting: start from burnish_kernels_lighting_default(), create a shader per material with
  *      burnish_kernels_shader_create(), and call burnish_kernels_shade_rgba8() or _float().
- *   4. Polygonal lights: start from burnish_kernels_polygon_default(), and call
+ *   4. Area lights: start from burnish_kernels_polygon_default(), and call
  *      burnish_kernels_polygon_light().
  *
  * Vectors are stored as one float array for x, one for y and one for z. Arrays need the alignment
@@ -185,10 +185,10 @@ BURNISH_API burnish_status burnish_kernels_shade_float(const burnish_kernels *ke
                                                        size_t count, float *const rgb[3],
                                                        burnish_error *error);
 
-/* ---- Polygonal lights ----
+/* ---- Area lights ----
  *
- * The light of a convex polygon P of radiance 1, seen from a point with normal N, over the part of
- * P above the horizon (N.w > 0):
+ * The light of a convex polygon, sphere or tube P of radiance 1, seen from a point with normal N,
+ * over the part of P above the horizon (N.w > 0):
  *
  *   diffuse  = 1/pi integral of max(0, N.w) dw          Lambert's formula
  *   specular = sum over lobes of weight / E integral of S(R.w) dw
@@ -197,8 +197,11 @@ BURNISH_API burnish_status burnish_kernels_shade_float(const burnish_kernels *ke
  * and E = 2 pi / (zeta (m + 1)), the integral of S over all directions. A light that fills the
  * hemisphere has diffuse = 1; a light that fills a lobe's cone has specular = weight.
  *
+ * A sphere is a cap of directions. A tube is the strip between its two tangent planes through the
+ * point, and its ends are open. Points inside a sphere or tube are lit, too.
+ *
  * Accuracy over random lights: diffuse 3e-7; specular, relative to the weight, 5e-5 for zeta >= 1
- * and 2e-4 below. */
+ * and 2e-4 below. With a stretch, a sphere is a polygon of 16 corners. */
 
 #define BURNISH_POLYGON_VERTEX_MAX 16
 #define BURNISH_POLYGON_LOBE_MAX 3
@@ -206,7 +209,7 @@ BURNISH_API burnish_status burnish_kernels_shade_float(const burnish_kernels *ke
 /* A part of a reflection. */
 typedef struct burnish_kernels_lobe {
     int order;    /* m: 1, 2, 4, 8, 16 or 32 */
-    float zeta;   /* [0.5, 65536] */
+    float zeta;   /* [0.5, 65536]; for a sphere at least 1 */
     float weight; /* [0, 1e6] */
 } burnish_kernels_lobe;
 
@@ -217,10 +220,13 @@ typedef struct burnish_kernels_polygon {
                          are positions */
     int is_two_sided; /* 0: the light shines to the side from which the vertices are in
                          counterclockwise order; a distant one on (0, 0, 0). 1: to both sides */
-    int vertex_count; /* [3, BURNISH_POLYGON_VERTEX_MAX] */
+    int vertex_count; /* [3, BURNISH_POLYGON_VERTEX_MAX]; 1: a sphere around the vertex; 2: a tube from
+                         one vertex to the other */
     /* Corners of a flat and convex polygon, within 1e-4 of its size; coordinates in
      * [-2^40, 2^40]. */
     float vertices[BURNISH_POLYGON_VERTEX_MAX][3];
+    float radius;   /* of a sphere or tube, (0, 2^40]; if it is distant, below the distance of its
+                     middle from (0, 0, 0) */
     int lobe_count; /* [0, BURNISH_POLYGON_LOBE_MAX] */
     burnish_kernels_lobe lobes[BURNISH_POLYGON_LOBE_MAX];
 } burnish_kernels_polygon;

@@ -1,11 +1,13 @@
-/* Checks polygonal lights. */
+/* Checks polygonal lights, spheres and tubes. */
 #include "shading/polygon.h"
 
 #include <string.h>
 
+#include "base/arithmetic.h"
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/layout.h"
+#include "base/numbers.h"
 
 #define COOKIE BURNISH_COOKIE(0x706f6c79, burnish_kernels_polygon)
 
@@ -46,10 +48,11 @@ static burnish_status make_lobes(const burnish_kernels_polygon *polygon,
                                 "polygon: order %d of lobe %d is not 1, 2, 4, 8, 16 or 32",
                                 lobe->order, j + 1);
         }
-        if (!is_within(lobe->zeta, 0.5f, BURNISH_LOBE_ZETA_MAX)) {
+        const float least_zeta = polygon->vertex_count == 1 ? 1.0f : 0.5f;
+        if (!is_within(lobe->zeta, least_zeta, BURNISH_LOBE_ZETA_MAX)) {
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "polygon: zeta %g of lobe %d is not in [0.5, 65536]",
-                                (double)lobe->zeta, j + 1);
+                                "polygon: zeta %g of lobe %d is not in [%g, 65536]",
+                                (double)lobe->zeta, j + 1, (double)least_zeta);
         }
         if (!is_within(lobe->weight, 0.0f, 1e6f)) {
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -101,9 +104,10 @@ static void subtract3(const double a[3], const double b[3], double difference[3]
 
 static burnish_status read_vertices(const burnish_kernels_polygon *polygon, shape *made,
                                     burnish_error *error) {
+    const int is_flat_distant = polygon->is_distant && polygon->vertex_count > 2;
     made->count = polygon->vertex_count;
-    if (made->count < 3 || made->count > BURNISH_POLYGON_VERTEX_MAX) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "polygon: %d vertices; 3 to %d",
+    if (made->count < 1 || made->count > BURNISH_POLYGON_VERTEX_MAX) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "polygon: %d vertices; 1 to %d",
                             made->count, BURNISH_POLYGON_VERTEX_MAX);
     }
     for (int v = 0; v < made->count; ++v) {
@@ -115,10 +119,10 @@ static burnish_status read_vertices(const burnish_kernels_polygon *polygon, shap
                                     v + 1);
             }
             corner[k] = (double)polygon->vertices[v][k];
-            corner[k] -= polygon->is_distant ? 0.0 : (double)polygon->vertices[0][k];
+            corner[k] -= is_flat_distant ? 0.0 : (double)polygon->vertices[0][k];
         }
         const double length = burnish_sqrt(dot3(corner, corner));
-        for (int k = 0; polygon->is_distant && k < 3; ++k) {
+        for (int k = 0; is_flat_distant && k < 3; ++k) {
             corner[k] /= length > 0 ? length : 1;
         }
     }
@@ -197,6 +201,59 @@ static burnish_status find_facing(const shape *made, double *facing, burnish_err
                               "polygon: (0, 0, 0) is in the plane of a distant light");
 }
 
+/* ---- Spheres and tubes ---- */
+
+/* The corners of a circle, outside it by as much as inside, or of a strip. */
+static void find_round_corners(burnish_polygon_constants *constants) {
+    const int count = constants->vertex_count, is_strip = constants->shape == BURNISH_POLYGON_TUBE;
+    double sine, cosine;
+    burnish_sincos(2 * BURNISH_PI / count, &sine, &cosine);
+    const double size = burnish_sqrt(is_strip ? 2 : 2 * BURNISH_PI / (count * sine));
+    for (int v = 0; v < count; ++v) {
+        burnish_sincos(2 * BURNISH_PI * (v + 0.5) / count, &sine, &cosine);
+        constants->vertex[v][0] = (float)(size * cosine);
+        constants->vertex[v][1] = (float)(size * sine);
+    }
+}
+
+/* From the corner of a sphere (count 1) or between those of a tube. */
+static burnish_status make_round(const burnish_kernels_polygon *polygon, const shape *read,
+                                 burnish_polygon_constants *constants, burnish_error *error) {
+    const int is_tube = polygon->vertex_count == 2;
+    const float *first = polygon->vertices[0], *last = polygon->vertices[is_tube];
+    double axis[3], center[3], squared = 0;
+    subtract3(read->corner[is_tube], read->corner[0], axis);
+    const double length = burnish_sqrt(dot3(axis, axis)), radius = (double)polygon->radius;
+    for (int k = 0; k < 3; ++k) {
+        center[k] = ((double)first[k] + (double)last[k]) / 2;
+        squared += center[k] * center[k];
+        constants->center[k] = (float)center[k];
+        constants->axis[k] = is_tube ? (float)(axis[k] / length) : 0.0f;
+    }
+    if (!is_within(polygon->radius, 0x1p-40f, 0x1p40f)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "polygon: a radius of %g is not in [2^-40, 2^40]", radius);
+    }
+    if (is_tube && !(length > TOLERANCE * TOLERANCE * radius)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "polygon: two vertices coincide");
+    }
+    if (polygon->is_distant && !(radius * radius < squared)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "polygon: (0, 0, 0) is inside a distant light");
+    }
+    constants->shape = is_tube ? BURNISH_POLYGON_TUBE : BURNISH_POLYGON_SPHERE;
+    constants->vertex_count = is_tube ? 4 : BURNISH_POLYGON_VERTEX_MAX;
+    constants->is_distant = polygon->is_distant != 0;
+    constants->thickness = polygon->radius;
+    constants->half_length = (float)(length / 2);
+    /* corners are outside a sphere, and twice the radius from an axis at most */
+    constants->radius = (float)(is_tube ? (length / 2 + 2 * radius) * 1.0001 : radius * 1.02);
+    find_round_corners(constants);
+    return make_lobes(polygon, constants, error);
+}
+
+/* ---- Polygons ---- */
+
 /* A sphere around the vertices, a little too large. */
 static void find_sphere(burnish_polygon_constants *constants) {
     const int count = constants->vertex_count;
@@ -227,6 +284,10 @@ burnish_status burnish_polygon_constants_make(const burnish_kernels_polygon *pol
     burnish_status status =
         burnish_layout_check(polygon, COOKIE, "polygon", "kernels_polygon", error);
     status = status == BURNISH_STATUS_OK ? read_vertices(polygon, &made, error) : status;
+    if (status == BURNISH_STATUS_OK && made.count < 3) {
+        *constants = (burnish_polygon_constants){.is_two_sided = 1};
+        return make_round(polygon, &made, constants, error);
+    }
     status = status == BURNISH_STATUS_OK ? find_normal(&made, error) : status;
     if (status == BURNISH_STATUS_OK && polygon->is_distant) {
         status = find_facing(&made, &facing, error);

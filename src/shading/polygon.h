@@ -1,4 +1,5 @@
-/* A polygonal light and its lobes, with everything worked out that does not depend on the point. */
+/* A polygonal light, sphere or tube and its lobes, with everything worked out that does not depend on
+ * the point. */
 #ifndef BURNISH_SHADING_POLYGON_H
 #define BURNISH_SHADING_POLYGON_H
 
@@ -11,7 +12,18 @@ typedef struct burnish_polygon_lobe {
     float least_cosine, least_cosine_squared; /* of the part of the cap with c > 0 */
 } burnish_polygon_lobe;
 
+/* Spheres and tubes are polygons that face each point: c + x u + y v with the corners (x, y) in
+ * `vertex`, c toward the centre, and u and v that depend on the point (round_simd.h). */
+typedef enum burnish_polygon_shape {
+    BURNISH_POLYGON_FLAT,
+    BURNISH_POLYGON_SPHERE,
+    BURNISH_POLYGON_TUBE
+} burnish_polygon_shape;
+
 typedef struct burnish_polygon_constants {
+    burnish_polygon_shape shape;
+    float thickness;            /* radius of spheres and tubes */
+    float axis[3], half_length; /* of a tube: unit vector; else 0 */
     int vertex_count, is_distant, is_two_sided;
     int lobe_count;
     burnish_polygon_lobe lobes[BURNISH_POLYGON_LOBE_MAX];

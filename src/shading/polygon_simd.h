@@ -1,9 +1,10 @@
-/* The light of polygons over vectors of points: a point and its lobes in the frame in which the edges
- * are integrated. */
+/* The light of polygons, spheres and tubes over vectors of points: a point and its lobes in the frame in
+ * which the edges are integrated. */
 #ifndef BURNISH_SHADING_POLYGON_SIMD_H
 #define BURNISH_SHADING_POLYGON_SIMD_H
 
 #include "shading/polygon_edges_simd.h"
+#include "shading/round_simd.h"
 
 /* ---- Points ---- */
 
@@ -45,7 +46,72 @@ typedef struct polygon_scene {
     vf normal[3], position[3], w;
     vm faces, behind;
     int turns; /* 1: some points are behind */
+    /* spheres and tubes: c, u, v of polygon.h; a sphere's c and cap are of unit length */
+    vf base[3][3];
+    round_cap cap;
 } polygon_scene;
+
+/* Twice the radius at most, near the axis. */
+BURNISH_INLINE void polygon_load_tube(const burnish_polygon_constants *polygon,
+                                      polygon_scene *scene) {
+    const vf *to = scene->base[0], one = vf_set(1.0f);
+    vf *u = scene->base[1], *v = scene->base[2], foot[3];
+    const vf along = shade_dot_constant(to, polygon->axis);
+    const vf length = vf_mul(scene->w, vf_set(polygon->half_length));
+    const vf radius = vf_mul(scene->w, vf_set(polygon->thickness));
+    for (int k = 0; k < 3; ++k) {
+        const vf axis = vf_set(polygon->axis[k]);
+        foot[k] = vf_sub(to[k], vf_mul(along, axis));
+        u[k] = vf_mul(length, axis);
+    }
+    const vf squared = shade_dot(foot, foot), least = vf_set(0x1p-80f);
+    scene->faces = vf_greater(squared, vf_mul(shade_dot(to, to), vf_set(0x1p-40f)));
+    const vf inverse = vector_inverse_sqrt(vf_max(squared, least));
+    const vf ratio = vf_mul(radius, inverse), rest = vf_sub(one, vf_mul(ratio, ratio));
+    const vf size = vf_mul(ratio, vector_inverse_sqrt(vf_max(rest, vf_set(0.25f))));
+    for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        v[k] = vf_mul(size, vf_sub(vf_mul(foot[i], vf_set(polygon->axis[j])),
+                                   vf_mul(foot[j], vf_set(polygon->axis[i]))));
+    }
+}
+
+BURNISH_INLINE void polygon_load_sphere(const burnish_polygon_constants *polygon,
+                                        polygon_scene *scene) {
+    vf frame[3][3];
+    const vf *to = scene->base[0];
+    const vf inverse = vector_inverse_sqrt(vf_max(shade_dot(to, to), vf_set(0x1p-80f)));
+    const vf radius = vf_mul(scene->w, vf_set(polygon->thickness));
+    /* inside the sphere as on it, nearly */
+    const vf sine = vf_min(vf_mul(radius, inverse), vf_set(0.99999f));
+    const vf cosine = polygon_root(vf_sub(vf_set(1.0f), vf_mul(sine, sine)));
+    for (int k = 0; k < 3; ++k) {
+        frame[2][k] = scene->cap.middle[k] = vf_mul(to[k], inverse);
+    }
+    scene->cap.sine = sine;
+    scene->cap.cosine = cosine;
+    polygon_frame(frame);
+    for (int k = 0; k < 3; ++k) {
+        scene->base[0][k] = vf_mul(frame[2][k], cosine);
+        scene->base[1][k] = vf_mul(frame[0][k], sine);
+        scene->base[2][k] = vf_mul(frame[1][k], sine);
+    }
+}
+
+BURNISH_INLINE void polygon_load_round(const burnish_polygon_constants *polygon,
+                                       polygon_scene *scene) {
+    for (int k = 0; k < 3; ++k) {
+        scene->base[0][k] =
+            vf_sub(vf_mul(scene->w, vf_set(polygon->center[k])), scene->position[k]);
+    }
+    scene->turns = 0;
+    if (polygon->shape == BURNISH_POLYGON_TUBE) {
+        polygon_load_tube(polygon, scene);
+    } else {
+        scene->faces = vm_not(vf_greater(vf_set(0.0f), vf_set(0.0f)));
+        polygon_load_sphere(polygon, scene);
+    }
+}
 
 BURNISH_INLINE void polygon_load(const burnish_polygon_constants *polygon,
                                  const burnish_kernels_points *points, size_t i,
@@ -58,6 +124,10 @@ BURNISH_INLINE void polygon_load(const burnish_polygon_constants *polygon,
     if (!polygon->is_distant && points->w) {
         scene->w = vf_load(points->w + i);
     }
+    if (polygon->shape != BURNISH_POLYGON_FLAT) {
+        polygon_load_round(polygon, scene);
+        return;
+    }
     scene->behind = polygon_side(polygon, scene->position, scene->w, &scene->faces);
     scene->turns = polygon->is_two_sided && vm_any(scene->behind);
 }
@@ -67,6 +137,14 @@ BURNISH_INLINE void polygon_to_vertex(const burnish_polygon_constants *polygon,
                                       const polygon_scene *scene, int v, vf to[3]) {
     const float *front = polygon->vertex[v];
     const float *back = polygon->vertex[polygon->vertex_count - 1 - v];
+    if (polygon->shape != BURNISH_POLYGON_FLAT) {
+        for (int k = 0; k < 3; ++k) {
+            const vf across = vf_mul(scene->base[1][k], vf_set(front[0]));
+            const vf up = vf_mul(scene->base[2][k], vf_set(front[1]));
+            to[k] = vf_add(scene->base[0][k], vf_add(across, up));
+        }
+        return;
+    }
     for (int k = 0; k < 3; ++k) {
         vf vertex = vf_set(front[k]);
         if (scene->turns) {
@@ -89,6 +167,9 @@ BURNISH_INLINE vf polygon_diffuse(const burnish_polygon_constants *polygon,
         at.normal[k] = scene->normal[k];
     }
     polygon_normalize(at.normal);
+    if (polygon->shape == BURNISH_POLYGON_SPHERE) {
+        return vector_saturate(round_diffuse(&scene->cap, shade_dot(at.normal, scene->cap.middle)));
+    }
     for (int v = 0; v < polygon->vertex_count; ++v) {
         polygon_to_vertex(polygon, scene, v, at.vertex[v]);
         polygon_normalize(at.vertex[v]);
@@ -135,6 +216,9 @@ BURNISH_INLINE void polygon_turn(const burnish_polygon_constants *polygon,
     }
     polygon_normalize(at->normal);
     at->lowest = vf_set(1.0f);
+    if (polygon->shape == BURNISH_POLYGON_SPHERE && !stretch) {
+        return;
+    }
     for (int v = 0; v < polygon->vertex_count; ++v) {
         polygon_to_vertex(polygon, scene, v, to);
         if (stretch) {
@@ -152,6 +236,39 @@ BURNISH_INLINE void polygon_turn(const burnish_polygon_constants *polygon,
     }
 }
 
+BURNISH_INLINE void polygon_begin_sums(const burnish_polygon_constants *polygon,
+                                       const polygon_point *at, polygon_sums *sums) {
+    const vf zero = vf_set(0.0f);
+    sums->exists = vf_greater(zero, zero);
+    sums->inside = at->faces;
+    for (int j = 0; j < polygon->lobe_count; ++j) {
+        const vm is_whole = vf_greater(at->lowest, vf_set(polygon->lobes[j].least_cosine));
+        sums->lobes[j] = (polygon_share){zero, zero, is_whole};
+    }
+}
+
+/* Adds the circle of a cap, and makes the edge where the horizon cuts it. Returns the number of edges. */
+BURNISH_INLINE int polygon_add_circle(const burnish_polygon_constants *polygon,
+                                      const round_cap *cap, const vf frame[3][3], polygon_point *at,
+                                      polygon_sums *sums, polygon_edge *edge) {
+    round_circle circle;
+    vf middle[3];
+    for (int k = 0; k < 3; ++k) {
+        middle[k] = shade_dot(frame[k], cap->middle);
+    }
+    round_circle_begin(cap, middle, &circle);
+    circle.faces = at->faces;
+    round_cut(at->has_horizon ? at->normal : middle, &circle, edge);
+    at->lowest = vf_sub(vf_sub(vf_set(1.0f), circle.least), circle.span);
+    polygon_begin_sums(polygon, at, sums);
+    sums->exists = circle.faces;
+    sums->inside = vm_and(circle.faces, vf_greater(vf_set(0.0f), circle.ahead));
+    for (int j = 0; j < polygon->lobe_count; ++j) {
+        round_add_lobe(&polygon->lobes[j], &circle, &sums->lobes[j]);
+    }
+    return circle.is_cut;
+}
+
 BURNISH_INLINE vf polygon_specular(const burnish_polygon_constants *polygon,
                                    const burnish_kernels_points *points,
                                    const burnish_kernels_axes *axes, const polygon_scene *scene,
@@ -162,6 +279,7 @@ BURNISH_INLINE vf polygon_specular(const burnish_polygon_constants *polygon,
     polygon_point at;
     polygon_sums sums;
     polygon_edge edges[BURNISH_POLYGON_VERTEX_MAX + 1];
+    int count = 0;
     at.has_horizon = points->normal[0] != NULL;
     at.is_diffuse = 0;
     for (int k = 0; k < 3; ++k) {
@@ -173,13 +291,12 @@ BURNISH_INLINE vf polygon_specular(const burnish_polygon_constants *polygon,
         return zero;
     }
     polygon_turn(polygon, scene, stretch, frame, &at);
-    sums.exists = vf_greater(zero, zero);
-    sums.inside = at.faces;
-    for (int j = 0; j < polygon->lobe_count; ++j) {
-        const vm is_whole = vf_greater(at.lowest, vf_set(polygon->lobes[j].least_cosine));
-        sums.lobes[j] = (polygon_share){zero, zero, is_whole};
+    if (polygon->shape == BURNISH_POLYGON_SPHERE && !stretch) {
+        count = polygon_add_circle(polygon, &scene->cap, (const vf(*)[3])frame, &at, &sums, edges);
+    } else {
+        polygon_begin_sums(polygon, &at, &sums);
+        count = polygon_edges(polygon->vertex_count, &at, &sums, edges);
     }
-    const int count = polygon_edges(polygon->vertex_count, &at, &sums, edges);
     for (int e = 0; e < count; ++e) {
         polygon_add_lobes(polygon, &edges[e], &sums);
     }

@@ -531,7 +531,7 @@ static void test_arguments(void) {
               "%s: \"%s\"", #__VA_ARGS__, error.text);                                             \
     } while (0)
     REFUSED("default", bad.cookie = 0);
-    REFUSED("2 vertices", bad.vertex_count = 2);
+    REFUSED("0 vertices", bad.vertex_count = 0);
     REFUSED("17 vertices", bad.vertex_count = 17);
     REFUSED("vertex 2", bad.vertices[1][0] = NAN);
     REFUSED("vertex 4", bad.vertices[3][2] = INFINITY);
