@@ -38,11 +38,15 @@ extern "C" {
 #endif
 
 typedef enum burnish_area_shape {
-    BURNISH_AREA_RECT, /* corners: center +- half_u +- half_v */
-    BURNISH_AREA_DISC  /* the ellipse center + cos(t) half_u + sin(t) half_v */
+    BURNISH_AREA_RECT,   /* corners: center +- half_u +- half_v */
+    BURNISH_AREA_DISC,   /* the ellipse center + cos(t) half_u + sin(t) half_v */
+    BURNISH_AREA_SPHERE, /* around center, with a radius of |half_u| */
+    BURNISH_AREA_LINE    /* a tube from center - half_u to center + half_u, with open ends and a
+                            radius of |half_v| */
 } burnish_area_shape;
 
-/* A flat light of constant radiance. It is not visible itself, only its reflections are. */
+/* A light of constant radiance. It is not visible itself, only its reflections are. Spheres and lines
+ * shine in all directions, also on points inside them. */
 typedef struct burnish_area_light {
     burnish_area_shape shape;
     int is_distant; /* 1: seen in the same directions from everywhere, those from (0, 0, 0) to its
@@ -50,10 +54,12 @@ typedef struct burnish_area_light {
     int follows_camera; /* 1: vectors are in camera space: x right, y up, z toward the viewer, the
                            camera at 0; the unit is the distance from camera to focal point. 0: in
                            the mesh's */
-    int is_two_sided;   /* 0: it shines on points p with (p - center) . (half_u x half_v) > 0; for a
-                           distant light p is 0. 1: on both sides */
+    int is_two_sided;   /* of a flat light. 0: it shines on points p with (p - center) . (half_u x
+                           half_v) > 0; for a distant light p is 0. 1: on both sides */
     double center[3];
-    double half_u[3], half_v[3]; /* half of each side: not parallel; any angle between them */
+    double half_u[3], half_v[3]; /* half of each side: not parallel; any angle between them. A
+                                    sphere has no half_v. The radius of a distant sphere or line is
+                                    less than the length of center */
     float color[3];              /* radiance, [0, 1e6] */
 } burnish_area_light;
 

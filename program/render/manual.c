@@ -52,7 +52,12 @@ static const cli_term light_terms[] = {
      "or 0,0,0 for *world-*); *upright=*_X_,_Y_,_Z_, along which its height is (otherwise 0,1,0). "
      "Parts below a surface's horizon do not light it; objects do not block its light, except by "
      "ambient occlusion."},
-    {"*world-directional*, *world-point*, *world-rect*, *world-disc*",
+    {"*sphere*, *line*",
+     "a ball, for which _RADIUS_ follows the position: *sphere:-1,1,0:0.3*; or a tube between two "
+     "positions: *line:-1,1,0:1,1,0:0.05*. Their intensity is their radiance. They shine in all "
+     "directions, and the only option is *distant*."},
+    {"*world-directional*, *world-point*, *world-rect*, *world-disc*, *world-sphere*, "
+     "*world-line*",
      "the same in the scene's coordinates."},
     {"*file*",
      "the lights of the input (glTF with KHR_lights_punctual), scaled together so a white surface "

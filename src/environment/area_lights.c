@@ -65,6 +65,24 @@ static void find_corners(const burnish_area_light *light, burnish_kernels_polygo
     }
 }
 
+double burnish_area_radius(const burnish_area_light *light) {
+    const int is_line = light->shape == BURNISH_AREA_LINE;
+    return burnish_vec3_length(burnish_vec3_load(is_line ? light->half_v : light->half_u));
+}
+
+/* A sphere's centre, or a line's ends. Directions keep their length. */
+static void find_ends(const burnish_area_light *light, burnish_kernels_polygon *polygon) {
+    polygon->vertex_count = light->shape == BURNISH_AREA_LINE ? 2 : 1;
+    polygon->radius = (float)burnish_area_radius(light);
+    for (int i = 0; i < polygon->vertex_count; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            const double half = i > 0 ? light->half_u[k] : -light->half_u[k];
+            polygon->vertices[i][k] =
+                (float)(light->center[k] + (polygon->vertex_count == 2 ? half : 0));
+        }
+    }
+}
+
 int burnish_area_polygon(const burnish_area_light *light, const burnish_light_lobes *lobes,
                          burnish_polygon_constants *polygon) {
     burnish_kernels_polygon shape = burnish_kernels_polygon_default();
@@ -75,6 +93,10 @@ int burnish_area_polygon(const burnish_area_light *light, const burnish_light_lo
         const burnish_light_lobe *lobe = &lobes->lobe[j];
         shape.lobes[j] = (burnish_kernels_lobe){lobe->order, lobe->zeta, lobe->weight};
     }
-    find_corners(light, &shape);
+    if (burnish_area_is_flat(light)) {
+        find_corners(light, &shape);
+    } else {
+        find_ends(light, &shape);
+    }
     return burnish_polygon_constants_make(&shape, polygon, NULL) == BURNISH_STATUS_OK;
 }

@@ -112,12 +112,33 @@ static void find_edges(burnish_map_reach *r, const burnish_polygon_constants *po
     }
 }
 
+/* A cap around a sphere or tube. */
+static burnish_map_reach find_round_reach(const burnish_polygon_constants *polygon, double lobe) {
+    const burnish_vec3 center = {(double)polygon->center[0], (double)polygon->center[1],
+                                 (double)polygon->center[2]};
+    const burnish_vec3 middle = burnish_vec3_normalize(center);
+    const double sine = (double)polygon->radius / burnish_vec3_length(center);
+    const double cosine = sine < 1 ? burnish_sqrt(1 - sine * sine) : -1;
+    const double both = cosine * lobe - sine * burnish_sqrt(1 - lobe * lobe);
+    const int is_cap = cosine > 0 && cosine + lobe > 0; /* else it may reach all directions */
+    return (burnish_map_reach){.middle = {(float)middle.x, (float)middle.y, (float)middle.z},
+                               .least = is_cap ? (float)(both - 1e-5) : -2,
+                               .sine = 2};
+}
+
 /* A cap around the polygon, wider by the widest lobe or, for diffuse light, by a right angle; and
  * the planes of its edges. */
 static burnish_map_reach find_reach(const burnish_polygon_constants *polygon,
                                     const burnish_light_lobes *lobes) {
     burnish_vec3 vertices[BURNISH_POLYGON_VERTEX_MAX], middle = {0, 0, 0};
     double radius = 1, lobe = lobes ? 1 : 0; /* cosines */
+    for (int j = 0; lobes && j < lobes->count; ++j) {
+        const double cosine = 1 - 1 / (double)lobes->lobe[j].zeta;
+        lobe = cosine < lobe ? cosine : lobe;
+    }
+    if (polygon->shape != BURNISH_POLYGON_FLAT) {
+        return find_round_reach(polygon, lobe);
+    }
     for (int v = 0; v < polygon->vertex_count; ++v) {
         const float *from = polygon->vertex[v];
         const burnish_vec3 vertex = {(double)from[0], (double)from[1], (double)from[2]};
@@ -128,10 +149,6 @@ static burnish_map_reach find_reach(const burnish_polygon_constants *polygon,
     for (int v = 0; v < polygon->vertex_count; ++v) {
         const double cosine = burnish_vec3_dot(middle, vertices[v]);
         radius = cosine < radius ? cosine : radius;
-    }
-    for (int j = 0; lobes && j < lobes->count; ++j) {
-        const double cosine = 1 - 1 / (double)lobes->lobe[j].zeta;
-        lobe = cosine < lobe ? cosine : lobe;
     }
     const double sines = burnish_sqrt((1 - radius * radius) * (1 - lobe * lobe));
     const int is_cap = radius > 0 && radius + lobe > 0; /* else it may reach all directions */

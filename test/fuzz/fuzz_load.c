@@ -261,12 +261,14 @@ static void light(uint8_t choice, burnish_render_options *options) {
         options->has_dome = 1;
         options->dome = (burnish_dome){{1, 1, 2}, {0.5f, 0.5f, 0.5f}, {0.1f, 0, 0}, 0};
         for (int i = 0; i < 2; ++i) {
-            options->area_lights[i] = (burnish_area_light){.is_distant = i,
-                                                           .follows_camera = !i,
-                                                           .center = {1, 2, 3},
-                                                           .half_u = {1, 0, 0},
-                                                           .half_v = {0, 1, 0},
-                                                           .color = {3, 2, 1}};
+            options->area_lights[i] =
+                (burnish_area_light){.shape = (burnish_area_shape)((choice + i) & 3),
+                                     .is_distant = i,
+                                     .follows_camera = !i,
+                                     .center = {1, 2, 3},
+                                     .half_u = {1, 0, 0},
+                                     .half_v = {0, 1, 0},
+                                     .color = {3, 2, 1}};
         }
     }
     if ((choice & 144) == 144) { /* a quarter of the inputs, as its maps take most time */

@@ -191,13 +191,32 @@ static void test_lights(void) {
     CHECK1(lights[0].color[0] == 0.5F && lights[0].color[1] == 0 && lights[0].color[2] == 0);
     CHECK1(lights[1].kind == BURNISH_LIGHT_POINT && lights[1].follows_camera == 0);
     CHECK1(lights[1].color[0] == 1 && lights[1].color[2] == 1);
+    p = parse("x|--light=sphere:1,2,3:0.5:2:#f00|--light=world-line:0,1,2:4,1,2:0.25:distant");
+    const burnish_area_light *areas = p.settings.shading.lights.areas;
+    CHECK1(p.status == BURNISH_STATUS_OK && p.settings.shading.lights.area_count == 2);
+    CHECK1(areas[0].shape == BURNISH_AREA_SPHERE && areas[0].follows_camera == 1);
+    CHECK1(areas[0].center[1] == 2 && areas[0].half_u[0] == 0.5 && areas[0].color[0] == 2);
+    CHECK1(areas[1].shape == BURNISH_AREA_LINE && !areas[1].follows_camera && areas[1].is_distant);
+    CHECK1(areas[1].center[0] == 2 && areas[1].half_u[0] == 2 && areas[1].half_v[0] == 0.25);
     p = parse("x|--light=point:1,2,3|--light=none");
     CHECK1(p.settings.shading.lights.given && p.settings.shading.lights.count == 0);
-    static const char *const bad[] = {"x|--light=sun:1,2,3",        "x|--light=point",
-                                      "x|--light=point:",           "x|--light=point:1,2",
-                                      "x|--light=point:1,2,3:",     "x|--light=point:1,2,3:-1",
-                                      "x|--light=point:1,2,3:1:",   "x|--light=point:1,2,3:1:red:",
-                                      "x|--light=directional:0,0,0"};
+    static const char *const bad[] = {"x|--light=sun:1,2,3",
+                                      "x|--light=point",
+                                      "x|--light=point:",
+                                      "x|--light=point:1,2",
+                                      "x|--light=point:1,2,3:",
+                                      "x|--light=point:1,2,3:-1",
+                                      "x|--light=point:1,2,3:1:",
+                                      "x|--light=point:1,2,3:1:red:",
+                                      "x|--light=directional:0,0,0",
+                                      "x|--light=sphere:1,2,3",
+                                      "x|--light=sphere:1,2,3:0",
+                                      "x|--light=sphere:1,2:1",
+                                      "x|--light=sphere:1,2,3:1:two-sided",
+                                      "x|--light=line:1,2,3:1",
+                                      "x|--light=line:1,2,3:1,2,3:1",
+                                      "x|--light=line:1,2,3:1,2,4:1:upright=0,0,1",
+                                      "x|--light=sphere:1,0,0:1:distant"};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
         CHECK(parse(bad[i]).status == BURNISH_STATUS_ARGUMENT, "%s accepted", bad[i]);
     }

@@ -81,23 +81,46 @@ static void test_furnace(burnish_mesh *mesh) {
 
 typedef double vec[3];
 
+/* A point of a sphere or tube from its centre, and its normal times the area over da db. */
+static void find_round(const burnish_area_light *light, double a, double b, vec at, vec front) {
+    const double *u = light->half_u, *v = light->half_v, turn = M_PI * b;
+    const int is_line = light->shape == BURNISH_AREA_LINE;
+    const double radius = sqrt(is_line ? dot(v, v) : dot(u, u));
+    const double flat = is_line ? 1 : sqrt(1 - a * a), length = is_line ? sqrt(dot(u, u)) : radius;
+    vec x = {0.3, 0.5, 0.7}, y, z = {u[0], u[1], u[2]};
+    normalize(z);
+    cross(z, x, y);
+    normalize(y);
+    cross(y, z, x);
+    for (int k = 0; k < 3; ++k) {
+        const double n = flat * (cos(turn) * x[k] + sin(turn) * y[k]);
+        front[k] = M_PI * length * radius * (n + (is_line ? 0 : a * z[k]));
+        at[k] = radius * n + a * length * z[k];
+    }
+}
+
 /* D and Spec at a point, by the midpoint rule over a light of 300 x 300 points. */
 static void integrate(const burnish_area_light *light, const vec position, const vec normal,
                       const vec axis, double alpha, double out[2]) {
     enum { STEPS = 300 };
     const burnish_light_lobes lobes = burnish_light_lobes_for((float)alpha);
     const double *u = light->half_u, *v = light->half_v;
-    vec front;
-    cross(u, v, front);
     out[0] = out[1] = 0;
     for (int i = 0; i < STEPS * STEPS; ++i) {
         const double a = 2 * (i / STEPS + 0.5) / STEPS - 1, b = 2 * (i % STEPS + 0.5) / STEPS - 1;
-        vec w;
+        vec w, front, at;
+        cross(u, v, front);
         if (light->shape == BURNISH_AREA_DISC && a * a + b * b > 1) {
             continue;
         }
         for (int k = 0; k < 3; ++k) {
-            w[k] = light->center[k] + a * u[k] + b * v[k] - (light->is_distant ? 0 : position[k]);
+            at[k] = a * u[k] + b * v[k];
+        }
+        if (light->shape > BURNISH_AREA_DISC) {
+            find_round(light, a, b, at, front);
+        }
+        for (int k = 0; k < 3; ++k) {
+            w[k] = light->center[k] + at[k] - (light->is_distant ? 0 : position[k]);
         }
         const double squared = dot(w, w);
         normalize(w);
@@ -177,6 +200,10 @@ static void test_sums(burnish_mesh *mesh) {
          3e-3},
         {{BURNISH_AREA_RECT, 0, 0, 1, {-1.2, 0, 0.5}, {0, 0.5, 0}, {0.2, 0, 0.6}, {4, 4, 4}}, 3e-3},
         {{BURNISH_AREA_DISC, 0, 0, 1, {1, 1, 1}, {0.3, 0, -0.3}, {0, 0.4, 0}, {4, 4, 4}}, 3e-3},
+        {{BURNISH_AREA_SPHERE, 0, 0, 0, {-0.9, 0.9, 0.9}, {0.3, 0, 0}, {0, 0, 0}, {4, 4, 4}}, 3e-3},
+        {{BURNISH_AREA_SPHERE, 1, 0, 0, {1, 2, 0.5}, {0.5, 0, 0}, {0, 0, 0}, {4, 4, 4}}, 4e-3},
+        {{BURNISH_AREA_LINE, 0, 0, 0, {0, 1, 1}, {0.9, 0, 0}, {0, 0.06, 0}, {4, 4, 4}}, 4e-3},
+        {{BURNISH_AREA_LINE, 1, 1, 0, {1, 0.5, 1}, {0.2, 0.7, 0}, {0.1, 0, 0}, {4, 4, 4}}, 4e-3},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         for (int is_parallel = 0; is_parallel < 2; ++is_parallel) {
@@ -200,10 +227,13 @@ static double drawn(void) {
     return (rand() + 0.5) / (RAND_MAX + 1.0);
 }
 
-/* Whether a ray from the origin meets a light. */
+/* Whether a ray from the origin meets a rectangle or a sphere. */
 static int meets(const burnish_area_light *light, const vec w) {
     const double *u = light->half_u, *v = light->half_v, *c = light->center;
     vec n;
+    if (light->shape == BURNISH_AREA_SPHERE) {
+        return dot(w, c) > 0 && dot(c, c) - pow(dot(w, c), 2) <= dot(u, u) * dot(w, w);
+    }
     cross(u, v, n);
     const double t = dot(n, c) / dot(n, w);
     const vec d = {t * w[0] - c[0], t * w[1] - c[1], t * w[2] - c[2]};
@@ -269,13 +299,15 @@ static double lobe_mean(const burnish_area_light *light, const vec viewer, float
 /* The stretch makes the error of near lights smaller. */
 static void test_ggx(void) {
     static const float roughnesses[] = {0.2f, 0.4f, 0.6f, 0.8f};
-    for (int k = 0; k < 4; ++k) {
+    for (int round = 0; round < 8; ++round) {
+        const int k = round % 4, is_sphere = round / 4;
         const double r = (double)roughnesses[k];
         double squares[2] = {0, 0};
         for (int i = 0; i < 50; ++i) {
             const double tilt = 0.5 * M_PI * (0.05 + 0.85 * drawn());
             const vec viewer = {sin(tilt), 0, cos(tilt)};
-            burnish_area_light light = {.is_two_sided = 1};
+            burnish_area_light light = {
+                .shape = is_sphere ? BURNISH_AREA_SPHERE : BURNISH_AREA_RECT, .is_two_sided = 1};
             for (int j = 0; j < 3; ++j) { /* near the mirror direction */
                 light.center[j] = (j < 2 ? -viewer[j] : viewer[j]) + 0.8 * (drawn() - 0.5);
             }
@@ -288,8 +320,8 @@ static void test_ggx(void) {
                 squares[j] += d * d / 50;
             }
         }
-        printf("  GGX, roughness %.1f: error %.4f, stretched %.4f\n", r, sqrt(squares[0]),
-               sqrt(squares[1]));
+        printf("  GGX, %s, roughness %.1f: error %.4f, stretched %.4f\n",
+               is_sphere ? "sphere" : "rect", r, sqrt(squares[0]), sqrt(squares[1]));
         CHECK(squares[1] < (k < 3 ? 0.5 : 1.2) * squares[0], "roughness %g", r);
     }
 }

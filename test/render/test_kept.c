@@ -272,7 +272,7 @@ static void change_area_lights(frame *f) {
     o->area_light_count = chance(60) ? below(4) : 0;
     for (int i = 0; i < o->area_light_count; ++i) {
         burnish_area_light *light = &o->area_lights[i];
-        light->shape = (burnish_area_shape)below(2);
+        light->shape = (burnish_area_shape)below(4);
         light->is_distant = chance(70);
         light->is_two_sided = chance(50);
         light->follows_camera = chance(50);
@@ -282,6 +282,7 @@ static void change_area_lights(frame *f) {
             light->half_v[k] = uniform(-1, 1);
             light->color[k] = (float)uniform(0, 4);
         }
+        light->center[2] += light->shape > BURNISH_AREA_DISC ? 3 : 0; /* farther than a radius */
     }
     o->has_dome = chance(40);
     o->dome.follows_camera = chance(50);

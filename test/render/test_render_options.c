@@ -81,8 +81,15 @@ static void test_options(burnish_mesh *sphere) {
     WRONG_LIGHT(light->is_distant = 1;
                 light->center[2] = 0,
                 "area light 1: needs a finite center (not 0 for a distant light)");
-    WRONG_LIGHT(light->shape = (burnish_area_shape)2,
+    WRONG_LIGHT(light->shape = (burnish_area_shape)4,
                 "area light 1: has a shape that does not exist");
+    WRONG_LIGHT(light->shape = BURNISH_AREA_SPHERE;
+                light->half_u[0] = 0, "area light 1: needs a finite half_u that is not 0");
+    WRONG_LIGHT(light->shape = BURNISH_AREA_LINE;
+                light->half_v[1] = INFINITY,
+                "area light 1: needs finite half_u and half_v that are not 0");
+    WRONG_LIGHT(light->shape = BURNISH_AREA_LINE; light->is_distant = 1;
+                light->half_v[1] = 2, "its radius must be less than the length of center");
 #undef SIDES
 #undef WRONG
 #undef WRONG_LIGHT

@@ -10,7 +10,7 @@ static void linear_of(const float srgb[3], float scale, float linear[3]) {
     }
 }
 
-typedef enum light_shape { DIRECTIONAL, POINT, RECT, DISC } light_shape;
+typedef enum light_shape { DIRECTIONAL, POINT, RECT, DISC, SPHERE, LINE } light_shape;
 
 static const struct light_word {
     const char *name;
@@ -25,6 +25,10 @@ static const struct light_word {
     {"world-rect", RECT, 0},
     {"disc", DISC, 1},
     {"world-disc", DISC, 0},
+    {"sphere", SPHERE, 1},
+    {"world-sphere", SPHERE, 0},
+    {"line", LINE, 1},
+    {"world-line", LINE, 0},
 };
 
 static int is_word(const char *item, size_t length, const char *word) {
@@ -166,6 +170,54 @@ static const char *read_area(const char *text, burnish_area_light *light) {
     return read_brightness(text, light->color);
 }
 
+/* Moves three numbers from the text; returns 0 if they are missing. */
+static int read_position(const char **text, double position[3]) {
+    const char *item;
+    const size_t length = *text ? cli_next_item(text, ':', &item) : 0;
+    return length > 0 && cli_read_reals(item, length, position, 3);
+}
+
+/* X,Y,Z:RADIUS[:distant][:INTENSITY[:COLOR]] of a sphere; a line has both ends; returns NULL, or what is
+ * wrong. */
+static const char *read_round(const char *text, burnish_area_light *light) {
+    const int is_line = light->shape == BURNISH_AREA_LINE;
+    area_options unused = {.has_target = 0};
+    double end[3], radius, squared = 0;
+    const char *item, *rest;
+    if (!read_position(&text, light->center)) {
+        return "the kind is followed by three numbers, such as sphere:-1,1,1:0.2";
+    }
+    if (is_line && !read_position(&text, end)) {
+        return "the position is followed by the other end, such as line:-1,1,0:1,1,0:0.05";
+    }
+    size_t length = text ? cli_next_item(&text, ':', &item) : 0;
+    if (length == 0 || !cli_read_real(item, length, &radius) || !(radius > 0 && radius <= 1e30)) {
+        return "the position is followed by a radius above 0, such as sphere:-1,1,1:0.2";
+    }
+    for (int k = 0; k < 3; ++k) {
+        light->half_u[k] = is_line ? (end[k] - light->center[k]) / 2 : k == 0 ? radius : 0;
+        light->half_v[k] = is_line && k == 0 ? radius : 0;
+        light->center[k] += is_line ? light->half_u[k] : 0;
+        squared += light->center[k] * light->center[k];
+    }
+    for (rest = text; rest; text = rest) {
+        length = cli_next_item(&rest, ':', &item);
+        if (!read_area_option(item, length, light, &unused)) {
+            break;
+        }
+        if (light->is_two_sided || unused.has_target || unused.has_upright) {
+            return "it shines in all directions; omit two-sided, target and upright";
+        }
+    }
+    if (is_line && is_zero(light->half_u)) {
+        return "both ends are in one place; use sphere, or move one";
+    }
+    if (light->is_distant && !(radius * radius < squared)) {
+        return "a distant light is farther from 0,0,0 than its radius; reduce the radius";
+    }
+    return read_brightness(text, light->color);
+}
+
 /* ---- Flags ---- */
 
 /* X,Y,Z[:INTENSITY[:COLOR]]; returns NULL, or what is wrong. */
@@ -188,16 +240,21 @@ static burnish_status add_area(const cli_flag *flag, const struct light_word *wo
         return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d area lights; omit some",
                         flag->name, BURNISH_AREA_LIGHT_MAX);
     }
+    static const burnish_area_shape shapes[] = {[RECT] = BURNISH_AREA_RECT,
+                                                [DISC] = BURNISH_AREA_DISC,
+                                                [SPHERE] = BURNISH_AREA_SPHERE,
+                                                [LINE] = BURNISH_AREA_LINE};
     *light =
-        (burnish_area_light){.shape = word->shape == DISC ? BURNISH_AREA_DISC : BURNISH_AREA_RECT,
-                             .follows_camera = word->follows_camera};
-    const char *rest = strchr(text, ':');
-    const char *wrong = read_area(rest ? rest + 1 : NULL, light);
+        (burnish_area_light){.shape = shapes[word->shape], .follows_camera = word->follows_camera};
+    const char *rest = strchr(text, ':') ? strchr(text, ':') + 1 : NULL;
+    const char *wrong = word->shape < SPHERE ? read_area(rest, light) : read_round(rest, light);
     if (wrong) {
+        const char *sizes = word->shape < SPHERE  ? "WIDTH,HEIGHT"
+                            : word->shape == LINE ? "X,Y,Z:RADIUS"
+                                                  : "RADIUS";
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--%s: \"%.60s\" is not %s:X,Y,Z:WIDTH,HEIGHT[:OPTION][:INTENSITY[:COLOR]]:"
-                        " %s",
-                        flag->name, text, word->name, wrong);
+                        "--%s: \"%.60s\" is not %s:X,Y,Z:%s[:OPTION][:INTENSITY[:COLOR]]: %s",
+                        flag->name, text, word->name, sizes, wrong);
     }
     ++lights->area_count;
     return BURNISH_STATUS_OK;
@@ -216,8 +273,9 @@ burnish_status render_flag_light(const cli_flag *flag, const char *text, void *t
         return BURNISH_STATUS_OK;
     }
     const struct light_word *word = find_word(text, strcspn(text, ":"));
-    const char *wrong = "the kind is one of directional, point, rect, disc, world-directional, "
-                        "world-point, world-rect, world-disc; or the whole is none or file";
+    const char *wrong =
+        "the kind is directional, point, rect, disc, sphere or line, or one of these "
+        "after world-; or the whole is none or file";
     if (word && word->shape >= RECT) {
         return add_area(flag, word, text, lights, error);
     }

@@ -101,11 +101,25 @@ static burnish_status check_lights(const burnish_render_options *options, burnis
 }
 
 /* half_u x half_v, which must not vanish. */
-static int is_flat(const burnish_area_light *light) {
+static int has_sides(const burnish_area_light *light) {
     const burnish_vec3 u = burnish_vec3_load(light->half_u), v = burnish_vec3_load(light->half_v);
     const double sine = burnish_vec3_length(
         burnish_vec3_cross(burnish_vec3_normalize(u), burnish_vec3_normalize(v)));
     return all_finite(light->half_u, 3) && all_finite(light->half_v, 3) && sine >= LEAST_SINE;
+}
+
+/* What is wrong with the sizes of a sphere or line, or NULL. */
+static const char *wrong_of_round(const burnish_area_light *light) {
+    const int is_line = light->shape == BURNISH_AREA_LINE;
+    const double length = burnish_vec3_length(burnish_vec3_load(light->half_u));
+    const double radius = is_line ? burnish_vec3_length(burnish_vec3_load(light->half_v)) : length;
+    if (!(length > 0 && burnish_is_finite(length) && radius > 0 && burnish_is_finite(radius))) {
+        return is_line ? "needs finite half_u and half_v that are not 0"
+                       : "needs a finite half_u that is not 0";
+    }
+    return light->is_distant && !(radius < burnish_vec3_length(burnish_vec3_load(light->center)))
+               ? "is distant: its radius must be less than the length of center"
+               : NULL;
 }
 
 static burnish_status check_area_lights(const burnish_render_options *options,
@@ -118,15 +132,18 @@ static burnish_status check_area_lights(const burnish_render_options *options,
         const burnish_area_light *light = &options->area_lights[i];
         const double *c = light->center;
         const char *wrong = NULL;
-        if ((unsigned)light->shape > BURNISH_AREA_DISC) {
+        const int is_flat = light->shape <= BURNISH_AREA_DISC;
+        if ((unsigned)light->shape > BURNISH_AREA_LINE) {
             wrong = "has a shape that does not exist";
         } else if (!is_light_color(light->color)) {
             wrong = "needs a radiance in [0, 1e6]";
-        } else if (!is_flat(light)) {
+        } else if (is_flat && !has_sides(light)) {
             wrong = "needs two finite half sides that are not parallel";
         } else if (!all_finite(c, 3) ||
                    (light->is_distant && c[0] == 0 && c[1] == 0 && c[2] == 0)) {
             wrong = "needs a finite center (not 0 for a distant light)";
+        } else if (!is_flat) {
+            wrong = wrong_of_round(light);
         }
         if (wrong) {
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "area light %d: %s", i + 1, wrong);

@@ -4,6 +4,7 @@
 
 #include "base/numbers.h"
 #include "core/vec3.h"
+#include "environment/area_lights.h"
 
 /* The least of the largest sizes of maps. */
 enum { SMALL_MAP = 64 };
@@ -22,7 +23,8 @@ static int light_shines(const burnish_area_light *light) {
     const burnish_vec3 u = burnish_vec3_load(light->half_u), v = burnish_vec3_load(light->half_v);
     const double front =
         burnish_vec3_dot(burnish_vec3_load(light->center), burnish_vec3_cross(u, v));
-    return !is_dark(light->color) && (!light->is_distant || light->is_two_sided || front < 0);
+    return !is_dark(light->color) &&
+           (!light->is_distant || light->is_two_sided || front < 0 || !burnish_area_is_flat(light));
 }
 
 static int has_environment(const burnish_render_options *options) {
@@ -156,6 +158,13 @@ static void gather_near(burnish_area *area, const burnish_render_options *option
 
 /* ---- The light that casts a shadow ---- */
 
+/* The cosine that a flat light is seen at from `center` away. */
+static double facing_of(const burnish_area_light *light, burnish_vec3 normal, burnish_vec3 center) {
+    const double facing = -burnish_vec3_dot(normal, center) /
+                          (burnish_vec3_length(normal) * burnish_vec3_length(center) + 1e-300);
+    return facing < 0 && light->is_two_sided ? -facing : facing;
+}
+
 /* A light as the object's centre sees it: its direction, and how much it lights a surface there that
  * faces it, if it is a disc that is far away or on its axis. */
 static double strength_of(const burnish_area_view *view, const burnish_area_light *from,
@@ -164,17 +173,19 @@ static double strength_of(const burnish_area_view *view, const burnish_area_ligh
     const burnish_vec3 u = burnish_vec3_load(light.half_u), v = burnish_vec3_load(light.half_v);
     const burnish_vec3 normal = burnish_vec3_cross(u, v);
     burnish_vec3 center = burnish_vec3_load(light.center);
+    const double radius = burnish_area_radius(&light);
+    double cosine = 1, area = BURNISH_PI * radius * radius;
     center = light.is_distant ? center : burnish_vec3_add(center, burnish_vec3_load(view->eye));
-    const double area =
-        (light.shape == BURNISH_AREA_RECT ? 4 : BURNISH_PI) * burnish_vec3_length(normal);
-    const double squared = burnish_vec3_dot(center, center);
-    const double facing = -burnish_vec3_dot(normal, center) /
-                          (burnish_vec3_length(normal) * burnish_sqrt(squared) + 1e-300);
-    const double cosine = facing < 0 && light.is_two_sided ? -facing : facing;
+    *toward = burnish_vec3_normalize(center);
+    if (burnish_area_is_flat(&light)) {
+        area = (light.shape == BURNISH_AREA_RECT ? 4 : BURNISH_PI) * burnish_vec3_length(normal);
+        cosine = facing_of(&light, normal, center);
+    } else if (light.shape == BURNISH_AREA_LINE) {
+        area = 4 * radius * burnish_vec3_length(burnish_vec3_cross(u, *toward));
+    }
     const double radiance = 0.2126 * (double)light.color[0] + 0.7152 * (double)light.color[1] +
                             0.0722 * (double)light.color[2];
-    *toward = burnish_vec3_normalize(center);
-    return radiance * area * cosine / (area + BURNISH_PI * squared);
+    return radiance * area * cosine / (area + BURNISH_PI * burnish_vec3_dot(center, center));
 }
 
 /* The strongest light, unless another one casts the shadow. */

@@ -276,13 +276,20 @@ static float turn_rate(const burnish_area *area, const float p[3]) {
     float rate = 0;
     for (int l = 0; l < lights->count; ++l) {
         const burnish_polygon_constants *polygon = &lights->polygons[l];
-        float squared = 0, height = -polygon->offset;
+        const int is_tube = polygon->shape == BURNISH_POLYGON_TUBE;
+        const float size = is_tube ? polygon->thickness : polygon->radius;
+        float squared = 0, height = -polygon->offset, along = 0;
+        for (int k = 0; k < 3 && is_tube; ++k) {
+            along += polygon->axis[k] * (polygon->center[k] - p[k]);
+        }
+        const float end = polygon->half_length; /* to the nearest point of the axis */
+        along = along > end ? end : along < -end ? -end : along;
         for (int k = 0; k < 3; ++k) {
-            const float d = polygon->center[k] - p[k];
+            const float d = polygon->center[k] - p[k] - along * polygon->axis[k];
             squared += d * d;
             height += polygon->normal[k] * p[k];
         }
-        const float outside = __builtin_sqrtf(squared) - polygon->radius;
+        const float outside = __builtin_sqrtf(squared) - size;
         height = height < 0 ? -height : height;
         const float distance = height > outside ? height : outside;
         const float own = polygon->is_distant ? 0 : 1 / (distance > 1e-20f ? distance : 1e-20f);
