@@ -27,6 +27,7 @@ typedef struct input {
     int32_t lengths[COSINES][3]; /* the same of any length */
     burnish_q15_shader shader;
     burnish_q15_light light;
+    burnish_composite_q15 composite, power;
 } input;
 
 /* ---- The same in floating point -----------------------------------------------------------------
@@ -94,6 +95,10 @@ static inline uint16_t stored(uint16_t slope, uint16_t reach, uint8_t shift, uin
     X(order4, uint16_t, burnish_lobe_q15_fast(&in->order4, c))                                     \
     X(order8, uint16_t, burnish_lobe_q15_fast(&in->order8, c))                                     \
     X(order16, uint16_t, burnish_lobe_q15_fast(&in->order16, c))                                   \
+    X(composite, uint16_t, burnish_composite_q15_at_cosine(&in->composite, c))                     \
+    X(composite_lambda, uint16_t,                                                                  \
+      burnish_composite_q15_at_lambda(&in->composite, (uint32_t)burnish_q15_lambda(c) << 9))       \
+    X(power, uint16_t, burnish_composite_q15_at_cosine(&in->power, c))                             \
     X(schlick16, uint16_t, schlick16(n, c))                                                        \
     X(schlick8, uint8_t, schlick8(n, c))                                                           \
     X(table_nearest, uint16_t, table_nearest(in->middles, c))                                      \
@@ -256,6 +261,8 @@ static void fill(input *in, uint16_t reach) {
     burnish_lobe_q15_create(&in->order4, BURNISH_Q15_TAYLOR, 4, EXPONENT);
     burnish_lobe_q15_create(&in->order8, BURNISH_Q15_TAYLOR, 8, EXPONENT);
     burnish_lobe_q15_create(&in->order16, BURNISH_Q15_TAYLOR, 16, EXPONENT);
+    burnish_composite_q15_create(&in->composite, EXPONENT);
+    burnish_composite_q15_create(&in->power, 14);
     fill_tables(in);
     fill_normals(in, reach);
 }

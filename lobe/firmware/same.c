@@ -41,6 +41,7 @@ static void take_products(void) {
         take(burnish_q15_multiply(a, b));
         take((uint32_t)burnish_q15_multiply_signed((int16_t)a, (int16_t)b));
         take(burnish_q15_square_wide((uint32_t)a << 16 | b));
+        take(burnish_q15_multiply_high(a, b));
     }
     put_sum('p');
 }
@@ -52,8 +53,10 @@ static void take_lobes(void) {
     for (i = 0; i < sizeof exponents; ++i) {
         const uint16_t n = (uint16_t)(exponents[i] == 255 ? 1023 : exponents[i]);
         burnish_lobe_q15 lobe;
+        burnish_composite_q15 composite;
         uint16_t c = 0;
         burnish_lobe_q15_create(&lobe, BURNISH_Q15_ENERGY, 2, n);
+        burnish_composite_q15_create(&composite, n);
         do {
             take(burnish_taylor8_q15(exponents[i], c));
             take(burnish_taylor_q15(n, c));
@@ -61,6 +64,8 @@ static void take_lobes(void) {
             take(burnish_lobe_q15_fast(&lobe, c));
             take(burnish_lobe_q15_fast8(&lobe, c));
             take(burnish_lobe_q15_fast_lambda(&lobe, ((uint32_t)c << 3) + n));
+            take(burnish_composite_q15_at_cosine(&composite, c));
+            take(burnish_composite_q15_at_lambda(&composite, ((uint32_t)c << 3) + n));
             c = (uint16_t)(c + (c < 0x7C00 || c > 0x8010 ? 61 : 1)); /* all of those near 1 */
         } while (c >= 61);
     }

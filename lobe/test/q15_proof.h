@@ -224,4 +224,115 @@ static int q15_report(const char *what, const q15_case *c, const q15_result *res
     return good;
 }
 
+/* ---- Composites ----------------------------------------------------------------------------- */
+
+/* The largest error against cos^n in steps of 2^-16: powers, from a cosine or 1 - cosine; n = 15; above. */
+enum { Q15_POWERS, Q15_FIFTEEN, Q15_ABOVE, Q15_RANGES };
+static const double q15_composite_bounds[Q15_RANGES] = {37, 70, 32};
+
+typedef struct {
+    double error[Q15_RANGES];
+    q15_result all;
+} q15_composites;
+
+/* c^n by squarings; error below n 2^-53. */
+static double q15_whole_power(double c, uint32_t n) {
+    double power = 1;
+    for (; n; n /= 2, c *= c) {
+        power *= n % 2 ? c : 1;
+    }
+    return power * 65536;
+}
+
+/* A result that stands for all real 1 - cosines from near to far. */
+static void q15_bound(q15_composites *found, uint32_t n, double near, double far, uint16_t now,
+                      uint16_t *before) {
+    const int range = n < 15 ? Q15_POWERS : n == 15 ? Q15_FIFTEEN : Q15_ABOVE;
+    const double high = near < 1 ? q15_whole_power(1 - near, n) : 0,
+                 low = far < 1 ? q15_whole_power(1 - far, n) : 0;
+    const double below = (high > 65535 ? 65535 : high) - now,
+                 above = now - (low > 65535 ? 65535 : low);
+    const double error = below > above ? below : above;
+    if (error > found->error[range]) {
+        found->error[range] = error;
+    }
+    q15_wrong(&found->all, now > *before, n, now);
+    *before = now;
+    ++found->all.values;
+}
+
+/* v = top - floor(128 slope lambda) for any real lambda, so that all v are all cosines and all lambdas. */
+static void q15_prove_composite_steps(uint32_t n, const burnish_composite_q15 *lobe,
+                                      q15_composites *found) {
+    const double step = 1 / (128.0 * lobe->slope);
+    uint16_t before = 0xFFFF, v = lobe->top;
+    for (uint32_t a = 0; a <= lobe->top; ++a) {
+        q15_bound(found, n, a * step, (a + 1) * step,
+                  burnish_composite_q15_of(lobe, (uint16_t)(lobe->top - a)), &before);
+    }
+    q15_bound(found, n, (lobe->top + 1) * step, 1, 0, &before);
+    for (int i = 0; i < 3; ++i) { /* no sum wraps */
+        const uint32_t square = (uint32_t)v * v >> 16;
+        v = (uint16_t)(i == 0 ? square : v);
+        q15_wrong(&found->all, (uint32_t)v + lobe->offset[i] > 0xFFFF, n, 0);
+        v = burnish_q15_multiply_high(v, (uint16_t)(v + lobe->offset[i]));
+    }
+    q15_wrong(&found->all,
+              burnish_composite_q15_of(lobe, lobe->top) != 0xFFFF ||
+                  burnish_composite_q15_of(lobe, 0) != 0,
+              n, 0);
+}
+
+/* Every cosine, and every stride-th lambda to past the cutoff, of one exponent. */
+static void q15_prove_composite(uint32_t n, uint32_t stride, q15_composites *found) {
+    burnish_composite_q15 lobe;
+    uint16_t before = 0xFFFF;
+    q15_wrong(&found->all, burnish_composite_q15_create(&lobe, (uint16_t)n) != BURNISH_Q15_OK, n,
+              0);
+    if (n >= 15) {
+        q15_prove_composite_steps(n, &lobe, found);
+    }
+    for (uint32_t cosine = 0x10000; cosine-- > 0;) {
+        const uint32_t lambda = cosine > 0x8000 ? 0 : 0x8000 - cosine, a = lobe.slope * lambda >> 8;
+        const uint16_t now = burnish_composite_q15_at_cosine(&lobe, (uint16_t)cosine);
+        if (n < 15) {
+            q15_bound(found, n, lambda / 32768.0, lambda / 32768.0, now, &before);
+        } else {
+            q15_wrong(
+                &found->all,
+                now !=
+                    (a > lobe.top ? 0 : burnish_composite_q15_of(&lobe, (uint16_t)(lobe.top - a))),
+                n, cosine);
+        }
+    }
+    before = 0xFFFF;
+    for (uint32_t lambda = 0; lambda < 0x1000000 && lambda < 0xA000000 / n; lambda += stride) {
+        const uint64_t a = (uint64_t)lobe.slope * lambda >> 17;
+        const uint16_t now = burnish_composite_q15_at_lambda(&lobe, lambda);
+        if (n < 15) {
+            q15_bound(found, n, lambda / 16777216.0, lambda / 16777216.0, now, &before);
+        } else {
+            q15_wrong(
+                &found->all,
+                now !=
+                    (a > lobe.top ? 0 : burnish_composite_q15_of(&lobe, (uint16_t)(lobe.top - a))),
+                n, lambda);
+        }
+    }
+}
+
+static int q15_report_composites(const q15_composites *found) {
+    int good = found->all.wrong == 0 && found->all.values > 0;
+    printf("composite against cos^n: n < 15 %.3f, n = 15 %.3f, above %.3f  %llu\n", found->error[0],
+           found->error[1], found->error[2], (unsigned long long)found->all.values);
+    for (int range = 0; range < Q15_RANGES; ++range) {
+        good = good && found->error[range] <= q15_composite_bounds[range];
+    }
+    if (found->all.wrong) {
+        printf("FAIL: %llu results are out of order or unequal, one at n = %u, input %u\n",
+               (unsigned long long)found->all.wrong, found->all.wrong_n, found->all.wrong_input);
+    }
+    return good;
+}
+
 #endif

@@ -23,6 +23,25 @@ static void test_proofs(void) {
     }
 }
 
+/* Every exponent up to 20 and every 31st. */
+static void test_composites(void) {
+    q15_composites found = {0};
+    for (uint32_t n = 1; n <= 1023; n += n < 20 ? 1 : 31) {
+        q15_prove_composite(n, 509, &found);
+    }
+    CHECK(q15_report_composites(&found), "see the line above");
+    static const uint16_t wrong[] = {0, 1024, 0xFFFF};
+    for (int i = 0; i < 3; ++i) {
+        burnish_composite_q15 lobe = {9, 9, {9, 9, 9}, 9, 9};
+        int bright = burnish_composite_q15_create(&lobe, wrong[i]) != BURNISH_Q15_ERROR_EXPONENT;
+        for (uint32_t at = 0; at <= 0xFFFF; ++at) {
+            bright += burnish_composite_q15_at_cosine(&lobe, (uint16_t)at) != 0;
+            bright += burnish_composite_q15_at_lambda(&lobe, at) != 0;
+        }
+        CHECK(bright == 0, "exponent %d shines", wrong[i]);
+    }
+}
+
 static void test_steps(void) {
     int wrong = 0;
     for (uint32_t x = 0; x <= 0xFFFF; ++x) {
@@ -147,6 +166,7 @@ static void test_boundary(void) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_proofs());
+    RUN(test_composites());
     RUN(test_steps());
     RUN(test_errors());
     RUN(test_zeta());

@@ -17,6 +17,10 @@
  *          burnish_lobe_q15 lobe;
  *          status = burnish_lobe_q15_create(&lobe, BURNISH_Q15_ENERGY, 2, 32);
  *          specular = burnish_lobe_q15_fast(&lobe, cosine);
+ *   4. cos^n itself to a third of an 8-bit step, with at most five multiplications:
+ *          burnish_composite_q15 phong;
+ *          status = burnish_composite_q15_create(&phong, 32);
+ *          specular = burnish_composite_q15_at_cosine(&phong, cosine);
  *
  * Formats.
  *     cosine   UQ1.15  0x8000 is 1; larger values count as 1. A negative cosine is 0.
@@ -55,8 +59,11 @@
  *     exact slopes       3  7  15 29    1.5 3.4 6.9  13.3  0.5003       1       1.04  0.50001
  *     energy             3  7  15 29    1.6 3.5 6.9  13.3  0.86         1       1.04  0.502
  *
- * What it does not do. It does not shade: see shade_q15.h. It does not compute cos^n;
- * docs/theory.md has the difference. Rounding a cosine to 15 bits costs a narrow lobe n/256 steps
+ * A composite differs from cos^n by at most 32 steps of 2^-16 (an eighth of an 8-bit step), at
+ * n = 15 by at most 70.
+ *
+ * What it does not do. It does not shade: see shade_q15.h. Only composites are near cos^n;
+ * docs/theory.md has the difference of the others. Rounding a cosine to 15 bits costs a narrow lobe n/256 steps
  * of an 8-bit result, so from n = 128 on prefer the functions that take lambda.
  *
  * Sources. See lobe.h; the shift by 7/16 and the boundary memory come from the paper that burnish
@@ -681,6 +688,167 @@ static inline uint16_t burnish_lobe_q15_exact_lambda(const burnish_lobe_q15 *lob
 static inline uint8_t burnish_lobe_q15_exact8_lambda(const burnish_lobe_q15 *lobe,
                                                      uint32_t lambda) {
     return burnish_q15_round8(burnish_lobe_q15_wide_lambda(lobe, lambda));
+}
+
+/* ---- Composites: cos^n to a fraction of an 8-bit step ------------------------------------------
+ *
+ * A line is squared, then three times multiplied by itself plus a constant: five multiplications
+ * for exponents from 15 on. Below 15 cos^n is a plain product of cosines, by at most five.
+ *
+ *     v = top - (slope u >> 8)                         0 if that is negative
+ *     v = (v v) >> 16,  v = (v (v + offset[i])) >> 16  i = 0, 1
+ *     result = (v (v + offset[2])) >> 14               1 is limited to 0xFFFF
+ *
+ * The result at the peak is 0xFFFF; beyond the cutoff it is 0. */
+
+/* A composite; make it with burnish_composite_q15_create. If all members are 0, it is dark. */
+typedef struct burnish_composite_q15 {
+    uint16_t slope;     /* UQ8.8: 2 zeta top */
+    uint16_t top;       /* UQ0.16: v at the peak */
+    uint16_t offset[3]; /* UQ0.16: top, and every v + offset, is below 1 */
+    uint16_t reach;     /* UQ1.15: the largest 1 - cosine at which v is defined */
+    uint16_t power;     /* 1 .. 14: cos^power instead, and the others are 0 */
+} burnish_composite_q15;
+
+/* floor(a b / 2^16). */
+BURNISH_Q15_INLINE uint16_t burnish_q15_multiply_high(uint16_t a, uint16_t b) {
+#ifdef BURNISH_Q15_AVR
+    uint16_t high;
+    uint8_t low, zero;
+    __asm__("mul %A3, %A4\n\t"
+            "mov %1, r1\n\t"
+            "mul %B3, %B4\n\t"
+            "movw %A0, r0\n\t"
+            "clr %2\n\t"
+            "mul %A3, %B4\n\t"
+            "add %1, r0\n\t"
+            "adc %A0, r1\n\t"
+            "adc %B0, %2\n\t"
+            "mul %B3, %A4\n\t"
+            "add %1, r0\n\t"
+            "adc %A0, r1\n\t"
+            "adc %B0, %2\n\t"
+            "clr r1"
+            : "=&r"(high), "=&r"(low), "=&r"(zero)
+            : "r"(a), "r"(b));
+    return high;
+#else
+    return (uint16_t)((uint32_t)a * b >> 16);
+#endif
+}
+
+/* cos^n by floor(log2 n) squarings and a product for every further bit of n that is set, each
+ * truncated to UQ1.15: at most 2n steps of 2^-16 below cos^n, and 0xFFFF at 1. Shifts by 16 are
+ * free on AVR, by 15 they are a loop.
+ *   exponent  n: 1 .. 15
+ *   cosine    UQ1.15 */
+static inline uint16_t burnish_cosine_power_q15(uint16_t exponent, uint16_t cosine) {
+    const uint16_t c = cosine > BURNISH_Q15_ONE ? (uint16_t)BURNISH_Q15_ONE : cosine;
+    uint16_t x = c;
+    uint8_t bit = 4; /* the one below the highest of the exponent */
+    while (2 * bit > exponent) {
+        bit = (uint8_t)(bit >> 1);
+    }
+    for (; bit != 0; bit = (uint8_t)(bit >> 1)) {
+        x = (uint16_t)(burnish_q15_multiply(x, x) << 1 >> 16);
+        if (exponent & bit) {
+            x = (uint16_t)(burnish_q15_multiply(x, c) << 1 >> 16);
+        }
+    }
+    return (uint16_t)((uint16_t)(x << 1) - (x >> 15));
+}
+
+/* The composite of a v, 0 .. top. */
+BURNISH_Q15_INLINE uint16_t burnish_composite_q15_of(const burnish_composite_q15 *lobe,
+                                                     uint16_t v) {
+    uint32_t last;
+    v = burnish_q15_square(v);
+    v = burnish_q15_multiply_high(v, (uint16_t)(v + lobe->offset[0]));
+    v = burnish_q15_multiply_high(v, (uint16_t)(v + lobe->offset[1]));
+    last = burnish_q15_multiply(v, (uint16_t)(v + lobe->offset[2]));
+    return last & 0x40000000ul ? (uint16_t)0xFFFFu : (uint16_t)(last << 2 >> 16);
+}
+
+static inline void burnish_composite_q15_darken(burnish_composite_q15 *lobe) {
+    lobe->slope = lobe->top = lobe->reach = lobe->power = 0;
+    lobe->offset[0] = lobe->offset[1] = lobe->offset[2] = 0;
+}
+
+/* Between two words of a table.  part  UQ0.16 */
+static inline uint16_t burnish_q15_between(uint16_t from, uint16_t to, uint16_t part) {
+    return (uint16_t)((from * ((uint32_t)0x10000ul - part) + (uint32_t)to * part + 0x8000u) >> 16);
+}
+
+/* Makes the composite that approximates cos^exponent. Three divisions.
+ *   lobe      becomes the lobe, on error the dark one; not NULL
+ *   exponent  n: 1 .. 1023
+ * Errors: ERROR_EXPONENT.
+ *
+ * The constants are those of n = 15, and between n = 16, 32 .. 1024 linear in 1/n; offset[2] brings
+ * the peak to 1. The table was found by a search for the least largest error over all n. */
+static inline burnish_q15_status burnish_composite_q15_create(burnish_composite_q15 *lobe,
+                                                              uint16_t exponent) {
+    static const uint16_t table[8][4] = {
+        /* slope / n in UQ6.10, top, offset[0], offset[1] */
+        {31061, 58341, 6542, 3},      {30128, 60072, 13, 61},       {34357, 54950, 12439, 10993},
+        {37654, 53077, 9948, 26724},  {40129, 50064, 17279, 33036}, {40942, 48651, 22485, 33052},
+        {41496, 47747, 25746, 33292}, {41796, 47279, 27505, 33290}};
+    const uint16_t(*row)[4] = table;
+    uint16_t knot = 16, part = 0, word[4], v;
+    uint8_t i;
+    burnish_composite_q15_darken(lobe);
+    if (exponent == 0 || exponent > BURNISH_Q15_EXPONENT_MAX) {
+        return BURNISH_Q15_ERROR_EXPONENT;
+    }
+    if (exponent < 15) {
+        lobe->power = exponent;
+        return BURNISH_Q15_OK;
+    }
+    if (exponent > 15) {
+        for (++row; exponent >> 1 >= knot; ++row) {
+            knot = (uint16_t)(knot << 1);
+        }
+        part = (uint16_t)(((uint32_t)(exponent - knot) << 17) / exponent);
+    }
+    for (i = 0; i < 4; ++i) {
+        word[i] = burnish_q15_between(row[0][i], row[1][i], part);
+    }
+    lobe->slope = (uint16_t)(((uint32_t)word[0] * exponent + 512u) >> 10);
+    lobe->top = word[1];
+    lobe->offset[0] = word[2];
+    lobe->offset[1] = word[3];
+    v = burnish_q15_square(lobe->top);
+    v = burnish_q15_multiply_high(v, (uint16_t)(v + word[2]));
+    v = burnish_q15_multiply_high(v, (uint16_t)(v + word[3]));
+    lobe->offset[2] = (uint16_t)((0x3FFFBFFFul + v) / v - v);
+    lobe->reach = (uint16_t)(((((uint32_t)lobe->top + 1) << 8) - 1) / lobe->slope);
+    return BURNISH_Q15_OK;
+}
+
+/* The composite at a cosine.  lobe  not NULL;  cosine  UQ1.15 */
+static inline uint16_t burnish_composite_q15_at_cosine(const burnish_composite_q15 *lobe,
+                                                       uint16_t cosine) {
+    const uint16_t lambda = burnish_q15_lambda(cosine);
+    if (lobe->power) {
+        return burnish_cosine_power_q15(lobe->power, cosine);
+    }
+    if (lambda > lobe->reach) {
+        return 0;
+    }
+    return burnish_composite_q15_of(
+        lobe, (uint16_t)(lobe->top - (burnish_q15_product(lobe->slope, lambda) >> 8)));
+}
+
+/* The same at 1 - cosine.  lambda  UQ0.24; larger values count as 0xFFFFFF */
+static inline uint16_t burnish_composite_q15_at_lambda(const burnish_composite_q15 *lobe,
+                                                       uint32_t lambda) {
+    uint32_t a;
+    lambda = burnish_q15_limit_lambda(lambda);
+    if (lobe->power) {
+        return burnish_cosine_power_q15(lobe->power, (uint16_t)((0x1000100ul - lambda) >> 9));
+    }
+    a = burnish_q15_product_lambda(lobe->slope, lambda) >> 8;
+    return a > lobe->top ? (uint16_t)0 : burnish_composite_q15_of(lobe, (uint16_t)(lobe->top - a));
 }
 
 #ifdef __cplusplus
