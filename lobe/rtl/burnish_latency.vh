@@ -48,6 +48,18 @@ function integer latency_times(input integer a_bits, input integer b_bits, input
     latency_times = dsp != 0 ? 1 : latency_rows(a_bits, a_bits + b_bits, rows, span);
 endfunction
 
+function integer latency_composite(input integer by_lambda, input integer rows, input integer span,
+    input integer dsp);
+    latency_composite = 2 + latency_times(16, by_lambda != 0 ? 24 : 16, rows, span, dsp) +
+        latency_add(24, span) + latency_square(16, rows, span, dsp) +
+        3 * (latency_add(16, span) + latency_times(16, 16, rows, span, dsp));
+endfunction
+
+function integer latency_cosine_power(input integer rows, input integer span, input integer dsp);
+    latency_cosine_power = 1 +
+        3 * (latency_square(16, rows, span, dsp) + latency_times(16, 16, rows, span, dsp));
+endfunction
+
 // The products of burnish_dot, or the sum of the components that corrects them.
 function integer latency_dot_wait(input integer rows, input integer span);
     latency_dot_wait = latency_times(16, 16, rows, span, 0) > 3 * latency_add(17, span)

@@ -11,12 +11,25 @@
 
 #include "burnish/lobe_q15.h"
 
-enum fit { FIT_TAYLOR, FIT_ENERGY, FIT_SHIFT7, FIT_SHIFT3, FIT_ZETA, FIT_DIVIDER, FIT_ROM };
+enum fit {
+    FIT_TAYLOR,
+    FIT_ENERGY,
+    FIT_SHIFT7,
+    FIT_SHIFT3,
+    FIT_ZETA,
+    FIT_COMPOSITE,
+    FIT_POWER,
+    FIT_DIVIDER,
+    FIT_ROM
+};
+
+enum { HELD_EXPONENT = 60 };
 
 struct unit {
     const char *name;
     fit which;
-    uint16_t order, result;
+    uint16_t order,
+        result; /* order: of composites 1, or HELD_EXPONENT if the constants hold still */
     int round, lambda;
 };
 
@@ -25,6 +38,7 @@ struct vector {
     uint16_t cosine, exponent, slope;
     uint32_t lambda;
     uint8_t shift;
+    burnish_composite_q15 composite;
 };
 
 /* The slope of a unit's fit. An exponent below the order has no lobe in C; the hardware computes
@@ -91,6 +105,16 @@ static inline uint16_t expected(const unit &u, const vector &v) {
         return schlick_divided(v, u.result);
     case FIT_ROM:
         return schlick_by_table(v);
+    case FIT_POWER:
+        return v.exponent % 16 ? burnish_cosine_power_q15(v.exponent % 16, v.cosine) : 0xFFFFu;
+    case FIT_COMPOSITE: {
+        burnish_composite_q15 lobe = v.composite;
+        if (u.order == HELD_EXPONENT) {
+            burnish_composite_q15_create(&lobe, HELD_EXPONENT);
+        }
+        return u.lambda ? burnish_composite_q15_at_lambda(&lobe, v.lambda)
+                        : burnish_composite_q15_at_cosine(&lobe, v.cosine);
+    }
     default:
         break;
     }

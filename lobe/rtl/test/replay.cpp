@@ -26,6 +26,7 @@ namespace {
 const unsigned ring_size = 1024; /* more than the longest latency */
 vector ring[ring_size];
 unsigned latency[UNITS];
+burnish_composite_q15 held; /* of units whose constants hold still */
 
 uint32_t random_state = 1;
 
@@ -55,7 +56,15 @@ vector vector_at(uint32_t index) {
         v.slope = (uint16_t)next_random();
         v.shift = (uint8_t)(next_random() & 15u);
     }
+    burnish_composite_q15_create(&v.composite, v.exponent < 15 ? 1023 - v.exponent : v.exponent);
     return v;
+}
+
+/* The constants of a composite as a bus. */
+void set_bus(VlWide<3> &bus, const burnish_composite_q15 &lobe) {
+    bus[0] = (uint32_t)lobe.top << 16 | lobe.slope;
+    bus[1] = (uint32_t)lobe.offset[1] << 16 | lobe.offset[0];
+    bus[2] = lobe.offset[2];
 }
 
 /* clk_on is the clock of units without an enable: it stands still where enable is 0. */
@@ -65,6 +74,7 @@ void clock(Vreplay *top, const vector &v, bool user) {
     top->exponent = v.exponent;
     top->slope = v.slope;
     top->shift = v.shift;
+    set_bus(top->constants, v.composite);
     top->user = user;
     top->clk = 0;
     top->clk_on = 0;
@@ -102,7 +112,7 @@ template <std::size_t N> uint16_t word_of(const VlWide<N> &wide, unsigned i) {
 
 /* The latency of each unit, measured by one user bit. */
 bool measure_latencies(Vreplay *top) {
-    const vector dark = {0, 1, 0, 0, 0};
+    const vector dark = {0, 1, 0, 0, 0, {}};
     unsigned found = 0;
     for (unsigned i = 0; i < ring_size; ++i) {
         clock(top, dark, false);
@@ -150,6 +160,10 @@ int replay(Vreplay *top, uint32_t stride, uint32_t first) {
 double real_lobe(const unit &u, const vector &v, double lambda) {
     double value, n = v.exponent;
     switch (u.which) {
+    case FIT_COMPOSITE:
+    case FIT_POWER:
+        value = pow(1 - lambda, u.which == FIT_COMPOSITE && u.order > 1 ? u.order : n);
+        break;
     case FIT_DIVIDER:
     case FIT_ROM:
         value = (1 - lambda) / (n - n * (1 - lambda) + 1 - lambda);
@@ -181,8 +195,12 @@ void print_errors() {
         for (uint16_t n = u.order; n <= 1023; n = (uint16_t)(n < 32     ? n + 1
                                                              : n < 1000 ? n + 48
                                                                         : n + 1)) {
-            vector v = {0, n, 0, 0, 0};
+            vector v = {0, n, 0, 0, 0, {}};
             v.slope = burnish_q15_energy_slope(n, 2, &v.shift);
+            if ((u.which == FIT_COMPOSITE && n < 15) || (u.which == FIT_POWER && n > 15)) {
+                continue;
+            }
+            burnish_composite_q15_create(&v.composite, n);
             const uint32_t step = 0x4000000u / n / 0x8000u + 1;
             for (uint32_t i = 0; i <= 0x8000u; ++i) {
                 v.cosine = (uint16_t)i;
@@ -219,6 +237,11 @@ int write_vectors(const char *folder, unsigned count) {
         if (i & 1u) {
             v.cosine = (uint16_t)(0x8000u - v.lambda / 512u);
         }
+        const burnish_composite_q15 lobes[] = {held, v.composite};
+        for (const burnish_composite_q15 &lobe : lobes) {
+            fprintf(in, "%04x%04x%04x%04x%04x", lobe.offset[2], lobe.offset[1], lobe.offset[0],
+                    lobe.top, lobe.slope);
+        }
         fprintf(in, "%x%04x%03x%06x%04x\n", v.shift, v.slope, v.exponent, v.lambda, v.cosine);
         for (unsigned k = UNITS; k-- > 0;) {
             fprintf(out, "%04x", expected(units[k], v));
@@ -236,6 +259,8 @@ int write_vectors(const char *folder, unsigned count) {
 int main(int argc, char **argv) {
     Vreplay top;
     top.enable = 1;
+    burnish_composite_q15_create(&held, HELD_EXPONENT);
+    set_bus(top.held, held);
     if (argc < 2) {
         fprintf(stderr, "usage: replay STRIDE [FIRST] | --vectors FOLDER COUNT\n");
         return 2;

@@ -85,3 +85,19 @@ module property_energy_slope (
     wire signed [31:0] rest = left - right;
     assign bad = exponent != 0 && (rest > 1 || rest < -1 || !slope[15]);
 endmodule
+
+// The dark composite, whose top is 0, is 0 for every other constant and angle.
+module property_composite (
+    input wire clk,
+    input wire [15:0] slope,
+    input wire [47:0] offset,
+    input wire [15:0] angle,
+    output wire bad
+);
+    wire [15:0] value;
+    wire user;
+    burnish_composite unit (
+        .clk(clk), .enable(1'b1), .slope(slope), .top(16'd0), .offset(offset), .angle(angle), .user_in(1'b0),
+        .value(value), .user_out(user));
+    assign bad = value != 16'd0;
+endmodule

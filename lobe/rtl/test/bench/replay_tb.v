@@ -10,7 +10,7 @@ module replay_tb;
     reg clk;
     reg [16*UNITS-1:0] answers[0:`COUNT-1];
     reg [15:0] latency[0:UNITS-1];
-    reg [71:0] word;
+    reg [231:0] word;
     reg [16*UNITS-1:0] answer;
     wire [16*UNITS-1:0] values;
     wire [UNITS-1:0] users;
@@ -18,11 +18,11 @@ module replay_tb;
 
     replay units (
         .clk(clk), .clk_on(clk), .enable(1'b1), .cosine(word[15:0]), .lambda(word[39:16]),
-        .exponent(word[49:40]), .slope(word[67:52]), .shift(word[71:68]), .user(1'b1), .values(values),
-        .users(users));
+        .exponent(word[49:40]), .slope(word[67:52]), .shift(word[71:68]), .constants(word[151:72]),
+        .held(word[231:152]), .user(1'b1), .values(values), .users(users));
 
-    // The words are {shift, slope, exponent of 3 digits, lambda, cosine}.
-    reg [71:0] wide[0:`COUNT-1];
+    // The words are {held, constants, shift, slope, exponent of 3 digits, lambda, cosine}.
+    reg [231:0] wide[0:`COUNT-1];
     initial begin
         $readmemh("input.mem", wide);
         $readmemh("expected.mem", answers);
