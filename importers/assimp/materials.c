@@ -180,6 +180,7 @@ static void read_highlight(const reading *r, importer_material *to) {
         (has_model && (model == aiShadingMode_Flat || model == aiShadingMode_Gouraud))) {
         return;
     }
+    to->flags |= BURNISH_BMS_HAS_EXPONENT;
     for (int i = 0; i < 3; ++i) {
         color[i] *= strength > 0 && strength < 1 ? strength : 1;
     }

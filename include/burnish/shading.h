@@ -68,6 +68,8 @@ typedef struct burnish_material {
     float exponent;     /* n of the specular lobe, [1, 65536] */
     int has_diffuse;    /* 1: vertex colours multiply ambient and diffuse; 0: they replace them */
     float transparency; /* 1 - opacity, [0, 1]: 0 is opaque */
+    int has_exponent;   /* 1: the input or the user states the exponent: the highlight looks as in
+                           other programs (by_material of lobe_spec.h); 0: burnish's choice */
 
     float emissive[3]; /* emitted light */
     int is_unlit;      /* 1: the colour is drawn without lighting */

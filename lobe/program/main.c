@@ -36,6 +36,11 @@ static const cli_term lobe_terms[] = {
      "a composition of quadratics with _M_ multiplications, 2 to 6, and the least "
      "maximum error against cos^n: far lower than the family's."},
     {"*display*:_M_", "the same for 8-bit sRGB: _M_ is 5 or 6."},
+    {"*exact*",
+     "the cheapest lobe whose highlight has, in 8-bit sRGB, the codes of cos^n, at most 1 "
+     "off on a tenth of its range: a product, *display:5* or *power*, by the exponent."},
+    {"*auto*", "*exact* for materials that state their exponent (in an MTL file, with *--material* "
+               "or *--exponent*), *energy:2* for the rest."},
     {"*power*, *schlick*, *gaussian*, *gx*, *lyon*:_ORDER_",
      "for comparison: c^n, c / (n - n c + c), exp(-(n + 0.775) (1 - c)), "
      "c^2 / (n/2 + (1 - n/2) c^2), and the taylor fit taken from the chord of vectors that "

@@ -10,7 +10,8 @@
 #define DRAWN_WORDS                                                                                \
     "use FIT:ORDER with FIT taylor, energy, levelQ (0 < Q < 1), shift7, shift3, projected, "       \
     "minimax, leastsquares, affine or zetaZ and ORDER 2, 4, 8, 16 or 32, or composite:2 to "       \
-    "composite:6, display:5, display:6, lyon:ORDER, power, schlick, gaussian, gx"
+    "composite:6, display:5, display:6, lyon:ORDER, power, schlick, gaussian, gx, "                \
+    "exact, auto"
 
 /* Whether kernels have the lobe. */
 static int is_drawn(burnish_lobe_kind kind) {
@@ -18,7 +19,7 @@ static int is_drawn(burnish_lobe_kind kind) {
 }
 
 /* What follows a word. */
-typedef enum { PLAIN, ORDER, NUMBER_ORDER, MULTIPLICATIONS, ENTRIES } word_tail;
+typedef enum { PLAIN, AUTO, ORDER, NUMBER_ORDER, MULTIPLICATIONS, ENTRIES } word_tail;
 
 static const struct word {
     const char *text;
@@ -43,6 +44,8 @@ static const struct word {
     {"gx", BURNISH_LOBE_GX, BURNISH_FIT_TAYLOR, PLAIN},
     {"composite", BURNISH_LOBE_COMPOSITE, BURNISH_COMPOSITE_MINIMAX, MULTIPLICATIONS},
     {"display", BURNISH_LOBE_COMPOSITE, BURNISH_COMPOSITE_DISPLAY, MULTIPLICATIONS},
+    {"exact", BURNISH_LOBE_EXACT, BURNISH_FIT_TAYLOR, PLAIN},
+    {"auto", BURNISH_LOBE_FAMILY, BURNISH_FIT_ENERGY, AUTO},
     {"nv2x", BURNISH_LOBE_NV2X, BURNISH_FIT_TAYLOR, PLAIN},
     {"kuijk-blake", BURNISH_LOBE_KUIJK_BLAKE, BURNISH_FIT_TAYLOR, PLAIN},
     {"table", BURNISH_LOBE_TABLE, BURNISH_FIT_TAYLOR, ENTRIES},
@@ -150,7 +153,11 @@ static int read_table(const char *rest, double entries, burnish_lobe_spec *lobe)
 /* What follows a row's word; 0 when malformed. */
 static int read_tail(const struct word *word, const char *rest, burnish_lobe_spec *lobe) {
     double number = 0;
-    if (word->tail == PLAIN) {
+    if (word->tail == AUTO) {
+        lobe->order = DEFAULT_ORDER;
+        lobe->by_material = 1;
+    }
+    if (word->tail == PLAIN || word->tail == AUTO) {
         return *rest == 0;
     }
     if (word->tail == MULTIPLICATIONS) {
@@ -166,6 +173,26 @@ static int read_tail(const struct word *word, const char *rest, burnish_lobe_spe
     lobe->parameter = number;
     lobe->order = read_order(rest);
     return number >= 0 && lobe->order != 0;
+}
+
+burnish_lobe_spec burnish_lobe_exact(float exponent) {
+    enum { MULTIPLICATIONS_MAX = 5, COMPOSITE_LEAST = 8 };
+    burnish_lobe_spec lobe = {.kind = BURNISH_LOBE_POWER};
+    if (exponent >= COMPOSITE_LEAST) {
+        lobe.kind = BURNISH_LOBE_COMPOSITE;
+        lobe.aim = BURNISH_COMPOSITE_DISPLAY;
+        lobe.order = MULTIPLICATIONS_MAX;
+    }
+    if (exponent >= 1 && exponent <= BURNISH_LOBE_EXPONENT_MAX &&
+        exponent == (float)(unsigned)exponent) {
+        int multiplications =
+            -2; /* a squaring per bit but one, a product per bit that is 1 but one */
+        for (unsigned n = (unsigned)exponent; n > 0; n /= 2) {
+            multiplications += n % 2 ? 2 : 1;
+        }
+        lobe.kind = multiplications <= MULTIPLICATIONS_MAX ? BURNISH_LOBE_INTEGER_POWER : lobe.kind;
+    }
+    return lobe;
 }
 
 burnish_status burnish_lobe_spec_check(const burnish_lobe_spec *lobe, burnish_error *error) {
@@ -297,6 +324,9 @@ void burnish_lobe_spec_name(const burnish_lobe_spec *lobe, char *text, size_t si
     char number[MAX_DECIMALS + 8] = "";
     if (!word) {
         snprintf(text, size, "unknown");
+    } else if (lobe->by_material && word->which == BURNISH_FIT_ENERGY &&
+               lobe->order == DEFAULT_ORDER) {
+        snprintf(text, size, "auto");
     } else if (word->tail == ENTRIES) {
         snprintf(text, size, "%s%d%s", word->text, lobe->entries, lobe->linear ? ":linear" : "");
     } else if (word->tail == PLAIN) {

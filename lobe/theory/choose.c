@@ -46,6 +46,7 @@ burnish_theory_cost burnish_theory_model_cost(const burnish_theory_model *model)
         cost.memory = model->lobe.entries;
         break;
     case BURNISH_LOBE_INTEGER_POWER:
+    case BURNISH_LOBE_EXACT: /* a model has the lobe itself */
     case BURNISH_LOBE_KIND_COUNT:
         break;
     }

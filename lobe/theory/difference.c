@@ -266,6 +266,7 @@ static double equator_limit(const burnish_theory_model *model) {
         return burnish_theory_value_at_lambda(model, 1) > 0 ? HUGE_VAL : -1;
     case BURNISH_LOBE_POWER:
     case BURNISH_LOBE_INTEGER_POWER:
+    case BURNISH_LOBE_EXACT: /* a model has the lobe itself */
     case BURNISH_LOBE_KIND_COUNT:
         break;
     }

@@ -79,6 +79,7 @@ static double closed_integral(const burnish_theory_model *model, int weighted, d
     case BURNISH_LOBE_KUIJK_BLAKE:
     case BURNISH_LOBE_TABLE:
     case BURNISH_LOBE_INTEGER_POWER:
+    case BURNISH_LOBE_EXACT: /* a model has the lobe itself */
     case BURNISH_LOBE_KIND_COUNT:
         break;
     }

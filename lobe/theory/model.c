@@ -36,6 +36,13 @@ static void set_kuijk_blake(burnish_theory_model *model) {
 burnish_lobe_status burnish_theory_model_create(burnish_theory_model *model,
                                                 const burnish_lobe_spec *lobe, double exponent) {
     burnish_theory_model made = {.lobe = *lobe, .exponent = exponent, .scale = 1};
+    if (lobe->kind == BURNISH_LOBE_EXACT) {
+        const burnish_lobe_spec exact = burnish_lobe_exact((float)exponent);
+        made.lobe = exact.kind == BURNISH_LOBE_INTEGER_POWER
+                        ? (burnish_lobe_spec){.kind = BURNISH_LOBE_POWER}
+                        : exact;
+        lobe = &made.lobe;
+    }
     burnish_lobe_status status = burnish_lobe_check(2, exponent);
     switch (lobe->kind) {
     case BURNISH_LOBE_FAMILY:
@@ -64,6 +71,7 @@ burnish_lobe_status burnish_theory_model_create(burnish_theory_model *model,
     case BURNISH_LOBE_GX:
         break;
     case BURNISH_LOBE_INTEGER_POWER:
+    case BURNISH_LOBE_EXACT:
     case BURNISH_LOBE_KIND_COUNT:
     default:
         status = BURNISH_LOBE_ERROR_FIT;

@@ -96,6 +96,7 @@ double burnish_theory_value_at_lambda(const burnish_theory_model *model, double 
     case BURNISH_LOBE_TABLE:
         return table_value(model, 1 - lambda);
     case BURNISH_LOBE_INTEGER_POWER:
+    case BURNISH_LOBE_EXACT: /* a model has the lobe itself */
     case BURNISH_LOBE_KIND_COUNT:
         break;
     }

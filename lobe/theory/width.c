@@ -20,6 +20,7 @@ static double zero_lambda(const burnish_theory_model *model) {
         return 1;
     case BURNISH_LOBE_GAUSSIAN:
     case BURNISH_LOBE_INTEGER_POWER:
+    case BURNISH_LOBE_EXACT: /* a model has the lobe itself */
     case BURNISH_LOBE_KIND_COUNT:
         break;
     }
@@ -89,6 +90,7 @@ static double lambda_at_positive(const burnish_theory_model *model, double level
     case BURNISH_LOBE_TABLE:
         return table_lambda_at(model, level);
     case BURNISH_LOBE_INTEGER_POWER:
+    case BURNISH_LOBE_EXACT: /* a model has the lobe itself */
     case BURNISH_LOBE_KIND_COUNT:
         break;
     }

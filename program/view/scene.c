@@ -127,6 +127,7 @@ burnish_status view_scene_set_exponent(view_scene *scene, double exponent, burni
         burnish_material material = *burnish_mesh_get_material(scene->mesh, i);
         render_make_phong(&material);
         material.exponent = (float)exponent;
+        material.has_exponent = 1;
         if (!material.is_metallic) { /* lights would prefer the file's roughness */
             material.metallic = material.roughness = 0;
             memset(material.reflectance, 0, sizeof material.reflectance);

@@ -76,7 +76,9 @@ burnish_status burnish_lobe_constants_make(const burnish_lobe_spec *lobe, float 
         [BURNISH_LOBE_GAUSSIAN] = BURNISH_LOBE_BODY_GAUSSIAN,
         [BURNISH_LOBE_GX] = BURNISH_LOBE_BODY_GX,
     };
+    const burnish_lobe_spec exact = burnish_lobe_exact(exponent);
     const float n = exponent;
+    lobe = lobe->kind == BURNISH_LOBE_EXACT ? &exact : lobe;
     memset(constants, 0, sizeof *constants);
     constants->body = BURNISH_LOBE_BODY_NONE;
     constants->top = 1.0f;

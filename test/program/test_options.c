@@ -125,7 +125,8 @@ static void test_errors(void) {
     expect_error("--lobe=energy:2,", "--lobe: \"\" is not a lobe; use FIT:ORDER with FIT taylor, "
                                      "energy, levelQ (0 < Q < 1), shift7, shift3, projected, "
                                      "minimax, leastsquares, affine or zetaZ and ORDER 2, 4, 8, 16 "
-                                     "or 32, or lyon:ORDER, power, schlick, gaussian, gx");
+                                     "or 32, or composite:2 to composite:6, display:5, display:6, "
+                                     "lyon:ORDER, power, schlick, gaussian, gx, exact, auto");
     expect_error("--views=front,,top",
                  "--views: \"\" is not one of front, right, top, iso, back, left, bottom, "
                  "third-angle, first-angle");

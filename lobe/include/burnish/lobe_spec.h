@@ -37,6 +37,7 @@ typedef enum burnish_lobe_kind {
     BURNISH_LOBE_GAUSSIAN,      /* exp(-(n + 0.775) (1 - c)) */
     BURNISH_LOBE_GX,            /* c^2 / (n/2 + (1 - n/2) c^2) */
     BURNISH_LOBE_COMPOSITE,     /* burnish_composite of lobe.h; an aim sets its constants */
+    BURNISH_LOBE_EXACT,         /* burnish_lobe_exact(): c^n to 8 bits */
     BURNISH_LOBE_NV2X,          /* max(0, c + k0) / (k2 + k1 c); theory.h only, like the next two */
     BURNISH_LOBE_KUIJK_BLAKE,   /* quadratic in the angle, in two pieces */
     BURNISH_LOBE_TABLE,         /* c^n at c = i / (entries - 1), nearest or linear */
@@ -57,6 +58,8 @@ typedef struct burnish_lobe_spec {
                              (0, 65536] */
     int entries;      /* TABLE: number of entries, [2, BURNISH_LOBE_ENTRIES_MAX] */
     int linear;       /* TABLE: 1: linear interpolation; 0: the nearest entry */
+    int by_material;  /* render.h: 1: EXACT replaces this lobe for materials that state
+                                  their exponent (has_exponent) */
 } burnish_lobe_spec;
 
 /* Parses the words of a lobe:
@@ -65,7 +68,8 @@ typedef struct burnish_lobe_spec {
  *                 numbers with at most 15 digits, without leading zeros, and 20 decimals
  *   lyon[:ORDER]
  *   composite[:M]  with M = 2 to 6 multiplications, 5 by default; display[:M] with M = 5 or 6
- *   power, schlick, gaussian, gx
+ *   power, schlick, gaussian, gx, exact
+ *   auto           energy:2 by_material
  * Parameters:
  *   text   the words, zero-terminated; not NULL
  *   lobe   receives the lobe, unchanged on error; not NULL
@@ -93,6 +97,14 @@ BURNISH_API void burnish_lobe_spec_name(const burnish_lobe_spec *lobe, char *tex
  * Errors: ARGUMENT. */
 BURNISH_API burnish_status burnish_lobe_spec_check(const burnish_lobe_spec *lobe,
                                                    burnish_error *error);
+
+/* The cheapest lobe that is exact to 8 bits: a highlight of intensity 1 has, in sRGB, at most one
+ * code more or less than c^n, and the same code over at least nine tenths of its range.
+ *   exponent  [1, 65536]
+ * Returns INTEGER_POWER for integers with a product of at most 5 multiplications, such as 1 to 14,
+ * 16 and 32; composite display:5 from 8 on, which differs at 9 % of the range at most; POWER for the
+ * rest. */
+BURNISH_API burnish_lobe_spec burnish_lobe_exact(float exponent);
 
 /* Computes the slope zeta and the scale (value at the peak) of a lobe
  * scale max(0, 1 - zeta (1 - c))^m.

@@ -32,7 +32,8 @@ int render_has_own_lobe(const render_shading_settings *shading) {
     const burnish_lobe_spec *lobe = &shading->lobes.items[0];
     const burnish_lobe_spec usual = burnish_render_options_default().lobe;
     return shading->lobes.count > 1 || lobe->kind != usual.kind || lobe->fit != usual.fit ||
-           lobe->order != usual.order || shading->equation != BURNISH_SPECULAR_BLINN;
+           lobe->order != usual.order || lobe->by_material != usual.by_material ||
+           shading->equation != BURNISH_SPECULAR_BLINN;
 }
 
 void render_make_phong(burnish_material *material) {
@@ -67,6 +68,7 @@ static void apply_preset(const render_preset *preset, int is_wide, burnish_mater
         material->ambient[k] *= factor; /* the base colour in wide light */
     }
     material->exponent = preset->exponent;
+    material->has_exponent = 1;
 }
 
 /* One material, changed by the flags. */
@@ -90,6 +92,7 @@ static burnish_material adjusted_material(const render_shading_settings *shading
     }
     if (shading->exponent.given) {
         material.exponent = (float)shading->exponent.value;
+        material.has_exponent = 1;
     }
     if (shading->opacity.given) {
         material.transparency = 1 - (float)shading->opacity.value * (1 - material.transparency);

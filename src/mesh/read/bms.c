@@ -298,6 +298,7 @@ static burnish_status read_material(bms_state *s, size_t number) {
                            .roughness = burnish_load_float(numbers + 12),
                            .alpha_cutoff = burnish_load_float(numbers + 16),
                            .has_diffuse = (flags & BURNISH_BMS_HAS_DIFFUSE) != 0,
+                           .has_exponent = (flags & BURNISH_BMS_HAS_EXPONENT) != 0,
                            .is_metallic = (flags & BURNISH_BMS_METALLIC) != 0,
                            .is_unlit = (flags & BURNISH_BMS_UNLIT) != 0,
                            .reflectance = {0.04f, 0.04f, 0.04f},

@@ -55,7 +55,8 @@ enum {
     BURNISH_BMS_METALLIC = 2,
     BURNISH_BMS_UNLIT = 4,
     BURNISH_BMS_MASK = 8,
-    BURNISH_BMS_BLEND = 16
+    BURNISH_BMS_BLEND = 16,
+    BURNISH_BMS_HAS_EXPONENT = 32
 };
 
 /* The kind of a texture's bytes. */

@@ -292,6 +292,7 @@ static burnish_status fold_materials(const burnish_drawn_mesh *mesh,
     const size_t count = mesh->material_count;
     const size_t lights = (size_t)lighting->light_count;
     const int has_colors = mesh->view->colors && !mesh->ignore_colors;
+    const drawn_lobe exact = {.lobe = {.kind = BURNISH_LOBE_EXACT}, .scale = 1};
     drawn_lobe known[KNOWN_LOBES] = {{0}};
     burnish_status status = burnish_lighting_check(lighting, memory->error);
     if (status != BURNISH_STATUS_OK) {
@@ -304,7 +305,9 @@ static burnish_status fold_materials(const burnish_drawn_mesh *mesh,
     status = memory->status;
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         const burnish_material *material = burnish_mesh_get_material(mesh->mesh, i);
-        const drawn_lobe *lobe = known_lobe(known, &options->lobe, material->exponent);
+        const drawn_lobe *lobe = options->lobe.by_material && material->has_exponent
+                                     ? &exact
+                                     : known_lobe(known, &options->lobe, material->exponent);
         const burnish_material drawn = drawn_material(material, has_colors, lobe->scale);
         view->lobe_fallbacks += lobe->fallbacks;
         status = material->is_unlit

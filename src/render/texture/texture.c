@@ -252,7 +252,8 @@ static void solve_lobes(burnish_texturing *texturing, const burnish_lobe_spec *l
 
 static int same_lobe(const burnish_lobe_spec *a, const burnish_lobe_spec *b) {
     return a->kind == b->kind && a->fit == b->fit && a->order == b->order &&
-           !(a->parameter < b->parameter) && !(a->parameter > b->parameter);
+           a->by_material == b->by_material && !(a->parameter < b->parameter) &&
+           !(a->parameter > b->parameter);
 }
 
 burnish_status burnish_texturing_view(burnish_texturing *texturing,

@@ -136,8 +136,10 @@ static void shade_varied(const burnish_texturing *texturing, const burnish_textu
         each.specular[k] = scratch->specular[k];
         turned.normal[k] = has_normals ? scratch->normal[k] : points->normal[k];
     }
-    texturing->kernels->shade_each[texturing->white.lobe.body](&texturing->white, &turned, &each,
-                                                               (size_t)batch->count, rgb);
+    const int is_exact = texturing->lobe.by_material && batch->material->material.has_exponent;
+    const int body = is_exact ? BURNISH_LOBE_BODY_POWER : texturing->white.lobe.body;
+    texturing->kernels->shade_each[body](&texturing->white, &turned, &each, (size_t)batch->count,
+                                         rgb);
 }
 
 static void add_emissive(const burnish_texture_batch *batch, int count, float *const rgb[3]) {

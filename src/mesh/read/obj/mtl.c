@@ -71,6 +71,7 @@ static void finish_entry(mtl_state *mtl) {
     }
     if (mtl->has_exponent) {
         material->exponent = mtl->exponent;
+        material->has_exponent = 1;
     }
     if (mtl->matt || mtl->is_dull) {
         memset(material->specular, 0, sizeof material->specular);
