@@ -164,7 +164,7 @@ typedef struct burnish_render_options {
     burnish_counts counts; /* for the report; does not affect the pixels */
 } burnish_render_options;
 
-/* 1024x768, 4 samples, energy:2, Blinn, local viewer, BURNISH_LOOK_PLAIN of look.h: key, fill and
+/* 1024x768, 4 samples, the lobe auto (energy:2 by_material), Blinn, local viewer, BURNISH_LOOK_PLAIN of look.h: key, fill and
  * rim light that follow the camera, a little ambient light, a white background. The camera must be
  * set: its position equals its focal point, which is refused. */
 BURNISH_API void burnish_render_options_init(burnish_render_options *options, uint64_t layout);

@@ -378,8 +378,11 @@ static const cli_flag flags[] = {
                "smaller and sharper."},
     {DRAW_FLAG("lobe", "FIT:ORDER", "shape of the highlight; a list: a sheet", render_flag_lobes,
                shading.lobes),
-     .svg = CLI_SVG_REFUSED, .default_text = "energy:2", .common = 1,
-     .manual = "The specular lobe; see *LOBES*. A list with commas makes one labelled sheet."},
+     .svg = CLI_SVG_REFUSED, .default_text = "auto", .common = 1,
+     .manual =
+         "The specular lobe; see *LOBES*. *auto* draws materials that state their exponent (in "
+         "the input, by *--material* or *--exponent*) with cos^n, exact to 8 bits, and the rest "
+         "with *energy:2*. A list with commas makes one labelled sheet."},
     {DRAW_FLAG("equation", "NAME", "cosine that the lobe is applied to", cli_flag_word,
                shading.equation),
      .svg = CLI_SVG_REFUSED, .default_text = "blinn", .words = equation_words,

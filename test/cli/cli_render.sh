@@ -123,7 +123,7 @@ done
 same "input" "$(json input)" :teapot
 same "output" "$(json output)" t.png
 same "width" "$(json width)" 64
-same "lobe" "$(json lobe)" energy:2
+same "lobe" "$(json lobe)" auto
 same "blank" "$(json blank)" false
 check "hash has 16 digits" sh -c "echo $(json hash) | grep -qx '[0-9a-f]\{16\}'"
 position=$(json position) focal=$(json focal_point) up=$(json view_up) plain=$(json hash)
@@ -183,7 +183,7 @@ check "a report that can't be written replaces a picture" [ "$(cat kept.png)" = 
 
 # Flags that must not change the picture, and flags that must.
 same "threads" "$plain" "$(hash :teapot --size=64 --threads=3)"
-same "defaults written out" "$plain" "$(hash :teapot --size=64 --samples=4 --lobe=energy:2 \
+same "defaults written out" "$plain" "$(hash :teapot --size=64 --samples=4 --lobe=auto \
     --equation=blinn --viewer=local --margin=0.05 --camera-view-angle=30 --zoom=1 --up=+Y \
     --normals=auto --tessellation=16 --background-color=#eeeff1 --look=studio --threads=1)"
 for flag in --samples=8 --up=+Z --azimuth=20 --elevation=-20 --zoom=2 \

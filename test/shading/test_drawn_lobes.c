@@ -73,6 +73,42 @@ static void check_choice_is_drawn(void) {
     CHECK(words >= 10, "only %d different lobes", words);
 }
 
+/* A material that states its exponent is drawn with the exact lobe, others with energy:2, and all
+ * with a lobe that is not by_material. */
+static void check_stated_exponents(void) {
+    burnish_mesh *sphere;
+    burnish_image images[4] = {{0}};
+    burnish_load_options load = burnish_load_options_default();
+    burnish_render_options options = burnish_render_options_default();
+    if (!CHECK1(burnish_mesh_load(":sphere", &load, &sphere, NULL) == BURNISH_STATUS_OK)) {
+        return;
+    }
+    options.width = options.height = 64;
+    options.threads = 1;
+    options.camera.position[2] = 5;
+    for (int i = 0; i < 4; ++i) {
+        burnish_material material = burnish_material_default();
+        material.has_exponent = i != 1;
+        options.lobe = burnish_render_options_default().lobe;
+        if (i == 2) {
+            options.lobe = (burnish_lobe_spec){.kind = BURNISH_LOBE_EXACT};
+        } else if (i == 3) {
+            options.lobe.by_material = 0;
+        }
+        CHECK1(burnish_mesh_set_material(sphere, 0, &material, NULL) == BURNISH_STATUS_OK);
+        CHECK1(burnish_render(sphere, &options, &images[i], NULL, NULL) == BURNISH_STATUS_OK);
+    }
+    burnish_mesh_destroy(sphere);
+    const size_t size =
+        (size_t)images[0].width * (size_t)images[0].height * (size_t)images[0].channels;
+    CHECK1(memcmp(images[0].pixels, images[2].pixels, size) == 0);
+    CHECK1(memcmp(images[1].pixels, images[3].pixels, size) == 0);
+    CHECK1(memcmp(images[0].pixels, images[1].pixels, size) != 0);
+    for (int i = 0; i < 4; ++i) {
+        burnish_image_destroy(&images[i]);
+    }
+}
+
 /* The renderer's floats have the same polynomials; slopes of near lights are 0.78 of them. */
 static void check_sums(void) {
     for (int i = 2; i <= 201; ++i) {
@@ -95,6 +131,7 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(check_affine_array());
     RUN(check_choice_is_drawn());
+    RUN(check_stated_exponents());
     RUN(check_sums());
     return test_end("drawn_lobes");
 }

@@ -110,7 +110,7 @@ for part in "table" "claims peak" "boundary" "choose --exponent=9 --epsilon=.1";
     rmdir folder
 done
 echo kept >old.csv
-expect 2 'burnish: --lobe: "nonsense" is not a lobe; use FIT:ORDER with FIT taylor, energy, levelQ (0 < Q < 1), shift7, shift3, projected, minimax, leastsquares, affine or zetaZ and ORDER 2, 4, 8, 16 or 32, or lyon:ORDER, power, schlick, gaussian, gx, nv2x, kuijk-blake, tableN[:linear]' boundary --lobe=nonsense -o old.csv
+expect 2 'burnish: --lobe: "nonsense" is not a lobe; use FIT:ORDER with FIT taylor, energy, levelQ (0 < Q < 1), shift7, shift3, projected, minimax, leastsquares, affine or zetaZ and ORDER 2, 4, 8, 16 or 32, or composite:2 to composite:6, display:5, display:6, lyon:ORDER, power, schlick, gaussian, gx, exact, auto, nv2x, kuijk-blake, tableN[:linear]' boundary --lobe=nonsense -o old.csv
 check "a failed run touched the file" [ "$(cat old.csv)" = kept ]
 rm old.csv
 if [ "$(id -u)" -ne 0 ]; then

@@ -10,17 +10,18 @@
 #define COOKIE BURNISH_COOKIE(0x62726e64, burnish_render_options)
 
 void burnish_render_options_init(burnish_render_options *options, uint64_t layout) {
-    burnish_render_options defaults = {.cookie = COOKIE,
-                                       .width = 1024,
-                                       .height = 768,
-                                       .samples = 4,
-                                       .camera = {.view_up = {0, 1, 0}, .view_angle = 30},
-                                       .lobe = {.fit = BURNISH_FIT_ENERGY, .order = 2},
-                                       .local_viewer = 1,
-                                       .environment_strength = 1,
-                                       .edge_color = {20, 20, 20},
-                                       .edge_opacity = 1,
-                                       .max_overdraw = BURNISH_OVERDRAW_DEFAULT};
+    burnish_render_options defaults = {
+        .cookie = COOKIE,
+        .width = 1024,
+        .height = 768,
+        .samples = 4,
+        .camera = {.view_up = {0, 1, 0}, .view_angle = 30},
+        .lobe = {.fit = BURNISH_FIT_ENERGY, .order = 2, .by_material = 1},
+        .local_viewer = 1,
+        .environment_strength = 1,
+        .edge_color = {20, 20, 20},
+        .edge_opacity = 1,
+        .max_overdraw = BURNISH_OVERDRAW_DEFAULT};
     burnish_look_apply(BURNISH_LOOK_PLAIN, &defaults);
     burnish_layout_init(options, layout, BURNISH_LAYOUT(burnish_render_options), &defaults);
 }
