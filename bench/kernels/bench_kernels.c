@@ -17,7 +17,7 @@
 #include <x86intrin.h>
 #endif
 
-enum { POINTS = 2048, EXPONENT = 32, ROWS_MAX = 8, ROUNDS = 41 };
+enum { POINTS = 2048, EXPONENT = 33, ROWS_MAX = 13, ROUNDS = 41 };
 
 typedef struct row {
     const char *label;
@@ -67,7 +67,7 @@ static void make_input(void) {
         state ^= state >> 17;
         state ^= state << 5;
         cosines[i] = (float)(state >> 8) * 0x1p-24f;
-        lit[i] = 1.0f - 0.09f * cosines[i]; /* zeta is 11 at n = 32 */
+        lit[i] = 1.0f - 0.09f * cosines[i]; /* zeta is 11 at n = 33 */
         for (int k = 0; k < 3; ++k) {
             positions[k][i] = (float)point[k];
             normals[k][i] = 0.97f * (float)point[k]; /* as if interpolated */
@@ -171,6 +171,11 @@ static const struct contender {
     const char *label, *lobe;
 } CONTENDERS[] = {{"the lobe, energy:2", "energy:2"},
                   {"energy:4", "energy:4"},
+                  {"energy:8", "energy:8"},
+                  {"composite:3", "composite:3"},
+                  {"composite:4", "composite:4"},
+                  {"composite:5", "composite:5"},
+                  {"composite:6", "composite:6"},
                   {"Schlick", "schlick"},
                   {"pow, the library's with SIMD", "power"}};
 
@@ -184,7 +189,7 @@ static void time_lobes(const burnish_kernels *kernels) {
     }
     rows[CONTENDER_COUNT] = (row){.label = "powf of libm", .run = run_libm};
     rows[CONTENDER_COUNT + 1] = (row){.label = "a copy", .run = run_copy};
-    print_table("lobes, 2,048 floats in the first cache, n = 32", rows, CONTENDER_COUNT + 2);
+    print_table("lobes, 2,048 floats in the first cache, n = 33", rows, CONTENDER_COUNT + 2);
 }
 
 /* The last row has no highlight. */
@@ -197,6 +202,7 @@ static void time_shading(const burnish_kernels *kernels, const char *title, int 
         rows[i] = (row){.label = is_none ? "no highlight" : CONTENDERS[i].label,
                         .run = run_shade,
                         .kernels = kernels};
+        lighting.material.exponent = EXPONENT;
         if (is_none) {
             memset(lighting.material.specular, 0, sizeof lighting.material.specular);
         } else {
@@ -258,6 +264,10 @@ int main(int count, char **arguments) {
         }
     }
     (void)burnish_lobe_create(&scalar_lobe.family, BURNISH_FIT_ENERGY, 2, EXPONENT);
+    for (int i = 0; i < 4; ++i) {
+        (void)burnish_composite_create(&scalar_lobe.composite[i], BURNISH_COMPOSITE_MINIMAX, i + 3,
+                                       EXPONENT);
+    }
     scalar_lobe.exponent = EXPONENT;
     scalar_lobe.whole_exponent = EXPONENT;
     scalar_lobe.offset = 1.0f - scalar_lobe.family.zeta;

@@ -95,6 +95,57 @@ INLINE float paper_schlick(const burnish_bench_scalar_lobe *lobe, float c) {
     return c / (n - n * c + c);
 }
 
+INLINE float composite(const burnish_composite *lobe, int multiplications, float c) {
+    float v = positive(c * lobe->slope + (lobe->top - lobe->slope));
+    v = v * v;
+    for (int i = 0; i < multiplications - 2; ++i) {
+        v = v * (v + lobe->offset[i]);
+    }
+    return v;
+}
+
+INLINE float composite3(const burnish_bench_scalar_lobe *lobe, float c) {
+    return composite(&lobe->composite[0], 3, c);
+}
+
+INLINE float composite4(const burnish_bench_scalar_lobe *lobe, float c) {
+    return composite(&lobe->composite[1], 4, c);
+}
+
+INLINE float composite5(const burnish_bench_scalar_lobe *lobe, float c) {
+    return composite(&lobe->composite[2], 5, c);
+}
+
+INLINE float composite6(const burnish_bench_scalar_lobe *lobe, float c) {
+    return composite(&lobe->composite[3], 6, c);
+}
+
+/* u^8 by squarings. */
+INLINE float order8(const burnish_bench_scalar_lobe *lobe, float c) {
+    const float u = folded(lobe, c);
+    return (u * u) * (u * u);
+}
+
+/* 2^(n log2 c) by polynomials of degree 5 and 3 on the bits: within 0.0011 of cos^33. */
+INLINE float fast_power(const burnish_bench_scalar_lobe *lobe, float c) {
+    uint32_t bits;
+    float m, scale;
+    c = positive(c);
+    memcpy(&bits, &c, sizeof bits);
+    const int32_t exponent = (int32_t)(bits >> 23) - 127;
+    bits = (bits & 0x7fffff) | 0x3f800000;
+    memcpy(&m, &bits, sizeof m);
+    m -= 1;
+    float x = 0.05866474f * m - 0.22510303f;
+    x = ((x * m + 0.44059903f) * m - 0.71671466f) * m + 1.4426039f;
+    x = positive(lobe->exponent * ((float)exponent + x * m) + 125); /* above 2^-126 */
+    const int32_t whole = (int32_t)x;
+    x -= (float)whole;
+    bits = (uint32_t)(whole + 2) << 23;
+    memcpy(&scale, &bits, sizeof scale);
+    return scale * (((0.07896726f * x + 0.22469316f) * x + 0.69632477f) * x + 0.9999003f);
+}
+
 INLINE float library(const burnish_bench_scalar_lobe *lobe, float c) {
     return powf(positive(c), lobe->exponent);
 }
@@ -128,6 +179,12 @@ LOOPS(schlick_folded)
 LOOPS(schlick_unfolded)
 LOOPS(schlick_header)
 LOOPS(library)
+LOOPS(order8)
+LOOPS(composite3)
+LOOPS(composite4)
+LOOPS(composite5)
+LOOPS(composite6)
+LOOPS(fast_power)
 LOOPS(paper_w)
 LOOPS(paper_w_half)
 LOOPS(paper_schlick)
@@ -139,6 +196,12 @@ const burnish_bench_scalar burnish_bench_scalars[] = {
     {"c / (n - (n - 1) c)", schlick_folded_through, schlick_folded_chain},
     {"burnish_lobe_at_cosine", header_through, header_chain},
     {"burnish_schlick_at_cosine", schlick_header_through, schlick_header_chain},
+    {"the family at order 8", order8_through, order8_chain},
+    {"composite:3", composite3_through, composite3_chain},
+    {"composite:4", composite4_through, composite4_chain},
+    {"composite:5", composite5_through, composite5_chain},
+    {"composite:6", composite6_through, composite6_chain},
+    {"2^(n log2 c) by polynomials, within 0.0011", fast_power_through, fast_power_chain},
     {"powf", library_through, library_chain},
     {NULL, NULL, NULL},
 };

@@ -9,8 +9,9 @@
 /* What the scalar lobes read. */
 typedef struct burnish_bench_scalar_lobe {
     burnish_lobe family;
-    float exponent, offset; /* n, 1 - zeta */
-    int whole_exponent;     /* n, of the paper's forms */
+    burnish_composite composite[4]; /* of 3 to 6 multiplications */
+    float exponent, offset;         /* n, 1 - zeta */
+    int whole_exponent;             /* n, of the paper's forms */
 } burnish_bench_scalar_lobe;
 
 /* A lobe in two loops: `through` has independent values, out[i] = lobe(in[i]); in `chain` each
