@@ -116,6 +116,13 @@ burnish_status burnish_theory_choose(double exponent, double epsilon, int affine
             try_model(&best, &candidate);
         }
     }
+    for (int order = 3; order <= 6; ++order) {
+        burnish_theory_model candidate;
+        (void)burnish_theory_model_create(
+            &candidate, &(burnish_lobe_spec){.kind = BURNISH_LOBE_COMPOSITE, .order = order},
+            exponent);
+        try_model(&best, &candidate);
+    }
     for (size_t i = 0; i < sizeof OTHERS / sizeof OTHERS[0]; ++i) {
         burnish_theory_model candidate;
         if (burnish_theory_model_create(&candidate, &(burnish_lobe_spec){.kind = OTHERS[i]},

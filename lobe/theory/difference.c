@@ -137,7 +137,7 @@ static void scan_table(burnish_theory_difference *result, const burnish_theory_m
     }
 }
 
-/* ---- Kuijk and Blake: branch and bound ---- */
+/* ---- Kuijk and Blake, composites: branch and bound ---- */
 
 typedef struct {
     const burnish_theory_model *model;
@@ -146,23 +146,37 @@ typedef struct {
 } bound_search;
 
 typedef struct {
-    double s, lobe, power;
+    double s, lobe, power, lobe_bend, power_bend; /* bends: second derivatives in lambda */
 } curve_point;
 
 static curve_point point_at(const bound_search *search, double s) {
-    curve_point point = {s, burnish_theory_value_at_lambda(search->model, s * s),
-                         burnish_theory_power_at_lambda(s * s, search->model->exponent)};
-    consider(search->result, s * s, point.lobe, point.power);
+    double n = search->model->exponent, slope[2] = {0, 0}, lambda = s * s;
+    curve_point point = {.s = s,
+                         .lobe = burnish_theory_value_at_lambda(search->model, lambda),
+                         .power = burnish_theory_power_at_lambda(lambda, n)};
+    if (search->model->lobe.kind == BURNISH_LOBE_COMPOSITE) {
+        burnish_theory_lambda_slopes(search->model, lambda, slope);
+        point.lobe_bend = slope[1];
+        point.power_bend = n > 1 ? n * (n - 1) * pow(1 - lambda, n - 2) : 0;
+    }
+    consider(search->result, lambda, point.lobe, point.power);
     return point;
 }
 
-static double error_size(curve_point point, int relative) {
-    return fabs(relative ? relative_of(point.lobe, point.power) : point.lobe - point.power);
+/* A bound on the error between two points of a composite. Polynomials in u with coefficients >= 0
+ * and cos^n have monotone second derivatives, so their values at the ends bound that of the
+ * difference, and with it the distance of the difference from its chord. */
+static double bound_by_bends(const bound_search *search, curve_point a, curve_point b) {
+    double low = fmin(a.power_bend, b.power_bend), high = fmax(a.power_bend, b.power_bend);
+    double bend = fmax(fabs(a.lobe_bend - low), fabs(b.lobe_bend - high));
+    double width = (b.s - a.s) * (b.s + a.s);
+    double bound = fmax(fabs(a.lobe - a.power), fabs(b.lobe - b.power)) + bend * width * width / 8;
+    return search->relative ? (b.power > 0 ? bound / b.power : HUGE_VAL) : bound;
 }
 
 /* Both curves fall, so their values at the ends bound the error in between. */
 static void split(const bound_search *search, curve_point a, curve_point b, int depth) {
-    double bound, known;
+    double bound, known, tolerance = 1e-9;
     if (search->relative) {
         double above = relative_of(a.lobe, b.power);
         double below = a.power > 0 ? 1 - b.lobe / a.power : 1;
@@ -172,7 +186,11 @@ static void split(const bound_search *search, curve_point a, curve_point b, int 
         bound = a.lobe - b.power > a.power - b.lobe ? a.lobe - b.power : a.power - b.lobe;
         known = search->result->absolute;
     }
-    if (bound <= known + 1e-9 * (1 + known) || depth == 0) {
+    if (search->model->lobe.kind == BURNISH_LOBE_COMPOSITE) {
+        bound = fmin(bound, bound_by_bends(search, a, b));
+        tolerance = 1e-14; /* their errors can be below 1e-6 */
+    }
+    if (bound <= known + tolerance + 1e-9 * known || depth == 0) {
         return;
     }
     curve_point middle = point_at(search, 0.5 * (a.s + b.s));
@@ -183,66 +201,28 @@ static void split(const bound_search *search, curve_point a, curve_point b, int 
 static void scan_bounded(burnish_theory_difference *result, const burnish_theory_model *model,
                          double end) {
     enum { SEEDS = 512, DEPTH = 50 };
+    int has_zero = model->lobe.kind == BURNISH_LOBE_COMPOSITE && end * model->zeta > 1;
+    double reach = has_zero ? sqrt(1 / model->zeta) : sqrt(end); /* then only cos^n falls */
     for (int relative = 0; relative < 2; ++relative) {
         bound_search search = {model, result, relative};
         curve_point before = point_at(&search, 0);
         for (int i = 1; i <= SEEDS; ++i) { /* a good maximum first: fewer intervals are split */
-            (void)point_at(&search, sqrt(end) * i / SEEDS);
+            (void)point_at(&search, reach * i / SEEDS);
         }
         for (int i = 1; i <= SEEDS; ++i) {
-            curve_point next = point_at(&search, sqrt(end) * i / SEEDS);
+            curve_point next = point_at(&search, reach * i / SEEDS);
             split(&search, before, next, DEPTH);
             before = next;
         }
     }
 }
 
-/* ---- Composites: local extremes along a fine grid ---- */
-
-static void scan_grid(burnish_theory_difference *result, const burnish_theory_model *model,
-                      double end) {
-    enum { PLACES = 1024, HALVINGS = 60 };
-    const double golden = 0.6180339887498949, zero = 1 / model->zeta;
-    const double reach = sqrt(zero < end ? zero : end);
-    bound_search search = {model, result, 0};
-    for (int relative = 0; relative < 2; ++relative) {
-        double size[3] = {0, 0, 0};
-        for (int i = 1; i <= PLACES; ++i) {
-            size[0] = size[1], size[1] = size[2];
-            size[2] = error_size(point_at(&search, reach * i / PLACES), relative);
-            if (i < 2 || !(size[1] >= size[0] && size[1] >= size[2])) {
-                continue;
-            }
-            double low = reach * (i - 2) / PLACES, high = reach * i / PLACES;
-            for (int k = 0; k < HALVINGS; ++k) {
-                double x = high - golden * (high - low), y = low + golden * (high - low);
-                if (error_size(point_at(&search, x), relative) <
-                    error_size(point_at(&search, y), relative)) {
-                    low = x;
-                } else {
-                    high = y;
-                }
-            }
-        }
-    }
-}
-
 /* ---- All of them ---- */
-
-/* The same if zeta is 1: near c = 0 the lobe is factor c^degree. */
-static double composite_equator_limit(const burnish_theory_model *model) {
-    double degree = 2, factor = 1;
-    for (int i = 0; i < model->steps; ++i) {
-        const double b = model->k[i];
-        degree *= b > 0 ? 1 : 2;
-        factor = b > 0 ? factor * b / (1 + b) : factor * factor;
-    }
-    return model->exponent > degree ? HUGE_VAL : model->exponent < degree ? -1 : factor - 1;
-}
 
 /* The limit of lobe / cos^n - 1 at c = 0, where both are 0. */
 static double equator_limit(const burnish_theory_model *model) {
-    double n = model->exponent;
+    double n = model->exponent, k[BURNISH_THEORY_DEGREE_MAX + 1];
+    int least = 1;
     switch (model->lobe.kind) {
     case BURNISH_LOBE_SCHLICK:
         return n > 1 ? HUGE_VAL : 0;
@@ -251,13 +231,16 @@ static double equator_limit(const burnish_theory_model *model) {
     case BURNISH_LOBE_TABLE:
         return !model->lobe.linear ? -1 : n > 1 ? HUGE_VAL : 0;
     case BURNISH_LOBE_FAMILY:
-    case BURNISH_LOBE_LYON: /* zero at c = 0 only if zeta is 1: u = c */
-        return model->zeta < 1         ? HUGE_VAL
-               : model->zeta > 1       ? -1
-               : n > model->lobe.order ? HUGE_VAL
-                                       : 0;
-    case BURNISH_LOBE_COMPOSITE:
-        return model->zeta > 1 ? -1 : composite_equator_limit(model);
+    case BURNISH_LOBE_LYON:
+    case BURNISH_LOBE_COMPOSITE: /* zero at c = 0 only if zeta is 1: u = c */
+        if (model->zeta != 1) {
+            return model->zeta < 1 ? HUGE_VAL : -1;
+        }
+        (void)burnish_theory_polynomial(model, k);
+        while (!(k[least] > 0)) {
+            ++least;
+        }
+        return n > least ? HUGE_VAL : n < least ? -1 : k[least] - 1;
     case BURNISH_LOBE_NV2X:
         return model->zeta > 1 ? -1 : 0;
     case BURNISH_LOBE_GAUSSIAN:
@@ -280,10 +263,9 @@ static void scan(burnish_theory_difference *result, const burnish_theory_model *
     }
     if (model->lobe.kind == BURNISH_LOBE_TABLE) {
         scan_table(result, model, end);
-    } else if (model->lobe.kind == BURNISH_LOBE_KUIJK_BLAKE) {
+    } else if (model->lobe.kind == BURNISH_LOBE_KUIJK_BLAKE ||
+               model->lobe.kind == BURNISH_LOBE_COMPOSITE) {
         scan_bounded(result, model, end);
-    } else if (model->lobe.kind == BURNISH_LOBE_COMPOSITE) {
-        scan_grid(result, model, end);
     } else {
         scan_smooth(result, model, end);
     }

@@ -3,16 +3,6 @@
 
 #include "theory/internal.h"
 
-/* Integral of u^m dc (times c) for lambda in [0, end]; u = 1 - zeta lambda, c = 1 - (1 - u)/zeta.
- */
-static double family_integral(const burnish_theory_model *model, int weighted, double end) {
-    double m = model->lobe.order, zeta = model->zeta;
-    double low = 1 - zeta * end, logarithm = low > 0 ? log1p(-zeta * end) : -HUGE_VAL;
-    double first = -expm1((m + 1) * logarithm) / (m + 1);
-    double second = -expm1((m + 2) * logarithm) / (m + 2);
-    return model->scale * (first - (weighted ? (first - second) / zeta : 0)) / zeta;
-}
-
 static double gaussian_integral(double k, int weighted, double end) {
     double plain = -expm1(-k * end) / k;
     return weighted ? plain - (plain - end * exp(-k * end)) / k : plain;
@@ -65,14 +55,14 @@ static double closed_integral(const burnish_theory_model *model, int weighted, d
     switch (model->lobe.kind) {
     case BURNISH_LOBE_FAMILY:
     case BURNISH_LOBE_LYON:
-        return family_integral(model, weighted, end);
+    case BURNISH_LOBE_COMPOSITE:
+        return burnish_theory_polynomial_integral(model, weighted, end);
     case BURNISH_LOBE_POWER: {
         double power = model->exponent + (weighted ? 2 : 1);
         return -expm1(power * (end < 1 ? log1p(-end) : -HUGE_VAL)) / power;
     }
     case BURNISH_LOBE_GAUSSIAN:
         return gaussian_integral(model->exponent + 0.775, weighted, end);
-    case BURNISH_LOBE_COMPOSITE:
     case BURNISH_LOBE_SCHLICK:
     case BURNISH_LOBE_GX:
     case BURNISH_LOBE_NV2X:

@@ -46,6 +46,16 @@ double burnish_theory_integral_between(const burnish_theory_model *model,
                                        burnish_theory_measure measure, double lambda0,
                                        double lambda1);
 
+/* The same in closed form, from lambda = 0, and the lambda of a sample, for lobes with a
+ * burnish_theory_polynomial(); weighted samples for zeta >= 1. */
+double burnish_theory_polynomial_integral(const burnish_theory_model *model, int weighted,
+                                          double end);
+double burnish_theory_polynomial_sample(const burnish_theory_model *model, int weighted, double xi);
+
+/* First and second derivative in lambda of the lobes with a formula in the cosine. */
+void burnish_theory_lambda_slopes(const burnish_theory_model *model, double lambda,
+                                  double slope[2]);
+
 /* How a smooth lobe meets cos^n. With v = lambda (GX: 1 - c^2), the logarithm of the ratio of
  * slopes is
  *     g(v) = log_slope + e log(1 + s v) - k v - log(p + 1) - p log(1 - v).

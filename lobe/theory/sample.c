@@ -10,25 +10,6 @@ static double saturate(double x) {
     return x < 1 ? x : 1;
 }
 
-/* lambda of u^m drawn over solid angle, u from its value at c = 0 up to 1. */
-static double family_solid(double m, double zeta, double xi) {
-    double low = zeta < 1 ? pow(1 - zeta, m + 1) : 0;
-    return (1 - pow(low + (1 - low) * xi, 1 / (m + 1))) / zeta;
-}
-
-/* lambda of u^m c = u^m (1 - 1/zeta) + u^(m+1) / zeta, zeta >= 1: xi selects one of the two power
- * densities and, rescaled, a point in it. */
-static double family_weighted(double m, double zeta, double xi) {
-    double first = (1 - 1 / zeta) / (m + 1), second = 1 / (zeta * (m + 2));
-    double share = first / (first + second), u;
-    if (xi < share) {
-        u = pow(xi / share, 1 / (m + 1));
-    } else {
-        u = pow((xi - share) / (1 - share), 1 / (m + 2));
-    }
-    return (1 - u) / zeta;
-}
-
 /* Inverts the integral by halving in s = sqrt(lambda), summing only the parts passed. */
 static double inverted(const burnish_theory_model *model, burnish_theory_measure measure,
                        double xi) {
@@ -53,13 +34,9 @@ static double sample_lambda(const burnish_theory_model *model, burnish_theory_me
     if (model->lobe.kind == BURNISH_LOBE_POWER) {
         return xi > 0 ? -expm1(log(xi) / (model->exponent + (weighted ? 2 : 1))) : 1;
     }
-    if (model->lobe.kind == BURNISH_LOBE_FAMILY || model->lobe.kind == BURNISH_LOBE_LYON) {
-        if (!weighted) {
-            return family_solid(model->lobe.order, model->zeta, xi);
-        }
-        if (model->zeta >= 1) {
-            return family_weighted(model->lobe.order, model->zeta, xi);
-        }
+    double c[BURNISH_THEORY_DEGREE_MAX + 1];
+    if (burnish_theory_polynomial(model, c) > 0 && (!weighted || model->zeta >= 1)) {
+        return burnish_theory_polynomial_sample(model, weighted, xi);
     }
     if (model->lobe.kind == BURNISH_LOBE_GAUSSIAN && !weighted) {
         double k = model->exponent + 0.775;

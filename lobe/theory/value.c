@@ -111,8 +111,8 @@ double burnish_theory_value_at_angle(const burnish_theory_model *model, double a
     return burnish_theory_value_at_lambda(model, burnish_theory_lambda_of_angle(angle));
 }
 
-/* First and second derivative in lambda of the lobes with a formula in the cosine. */
-static void lambda_slopes(const burnish_theory_model *model, double lambda, double slope[2]) {
+void burnish_theory_lambda_slopes(const burnish_theory_model *model, double lambda,
+                                  double slope[2]) {
     double n = model->exponent, c = 1 - lambda, m = model->lobe.order, a = model->zeta;
     double u = 1 - a * lambda;
     slope[0] = slope[1] = 0;
@@ -172,7 +172,7 @@ void burnish_theory_derivatives(const burnish_theory_model *model, double angle,
         return;
     }
     double slope[2], sine = sin(angle);
-    lambda_slopes(model, burnish_theory_lambda_of_angle(angle), slope);
+    burnish_theory_lambda_slopes(model, burnish_theory_lambda_of_angle(angle), slope);
     derivatives[1] = slope[0] * sine;
     derivatives[2] = slope[1] * sine * sine + slope[0] * cos(angle);
 }

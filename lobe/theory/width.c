@@ -56,13 +56,15 @@ static double kuijk_blake_lambda_at(const burnish_theory_model *model, double le
     return burnish_theory_lambda_of_angle(x);
 }
 
-/* Undoes the steps, from the last. */
+/* Undoes the steps, from the last; keeps 1 - level, too, for its digits near the peak. */
 static double composite_lambda_at(const burnish_theory_model *model, double level) {
+    double rest = 1 - level;
     for (int i = model->steps; i-- > 0;) {
-        const double b = model->k[i], product = (1 + b) * level;
-        level = 2 * product / (b + sqrt(b * b + 4 * product));
+        const double b = model->k[i], root = sqrt(b * b + 4 * (1 + b) * level);
+        level = 2 * (1 + b) * level / (b + root);
+        rest = 2 * (1 + b) * rest / (2 + b + root);
     }
-    return (1 - sqrt(level)) / model->zeta;
+    return rest / (1 + sqrt(level)) / model->zeta;
 }
 
 static double lambda_at_positive(const burnish_theory_model *model, double level) {

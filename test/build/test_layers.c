@@ -26,6 +26,7 @@ static const struct layer {
     {"lobe/include/burnish", LOBE},
     {"lobe/spec", "base " LOBE},
     {"lobe/theory", "base " LOBE},
+    {"lobe/theory/composite", "base theory " LOBE},
     {"lobe/program", "base base/cli " LOBE},
     {"lobe/wasm", "base base/cli base/wasm program " LOBE},
     {"lobe/test", "base burnish/ring.h " LOBE},

@@ -106,6 +106,29 @@ BURNISH_THEORY_API burnish_status burnish_theory_model_parse(const char *text, d
                                                              burnish_theory_model *model,
                                                              burnish_error *error);
 
+/* Makes the model of a composite lobe from its constants, for other fits than lobe.h has. Its words
+ * are those of composite:M, M = steps + 2.
+ *   model     receives the model, unchanged on error; not NULL
+ *   exponent  n: [1, 65536], for errors and cost
+ *   zeta      (0, 65536]
+ *   b         of each step, each >= 0; may be NULL without steps
+ *   steps     [0, 4]
+ * Errors: ERROR_COMPOSITE, ERROR_EXPONENT, ERROR_ZETA. */
+BURNISH_THEORY_API burnish_lobe_status burnish_theory_composite_create(burnish_theory_model *model,
+                                                                       double exponent, double zeta,
+                                                                       const double *b, int steps);
+
+enum { BURNISH_THEORY_DEGREE_MAX = 32 };
+
+/* The coefficients of a lobe that is a polynomial in u = max(0, 1 - zeta lambda): family, lyon and
+ * composites. All are >= 0, and they add up to the value at the peak, so the lobe is a mixture of
+ * powers of u: integrals, samples, harmonics and the light of polygons follow from those of powers.
+ *   coefficients  of u^0, u^1 ...; those above the degree are 0
+ * Returns the degree; 0 for other lobes. */
+BURNISH_THEORY_API int
+burnish_theory_polynomial(const burnish_theory_model *model,
+                          double coefficients[BURNISH_THEORY_DEGREE_MAX + 1]);
+
 /* ---- Values ----
  *
  * All models are defined for every angle, are 1 (fit affine: scale) at angle 0 and never increase
@@ -187,8 +210,8 @@ typedef enum burnish_theory_measure {
     BURNISH_THEORY_COSINE_WEIGHTED /* c d omega: projected solid angle */
 } burnish_theory_measure;
 
-/* The integral of the lobe, in steradians. Closed forms for family (cut off at c = 0 if zeta < 1),
- * power, gaussian and tables, adaptive Gauss-Kronrod for the others. Relative error below 1e-11.
+/* The integral of the lobe, in steradians. Closed forms for family, composites (cut off at c = 0 if
+ * zeta < 1), power, gaussian and tables, adaptive Gauss-Kronrod for the others. Relative error below 1e-11.
  * Family: 2 pi / (zeta (m+1)) and, for zeta >= 1, 2 pi (zeta (m+2) - 1) / (zeta^2 (m+1)(m+2));
  * power: 2 pi / (n+1), 2 pi / (n+2). */
 BURNISH_THEORY_API double burnish_theory_integral(const burnish_theory_model *model,
@@ -223,8 +246,9 @@ BURNISH_THEORY_API double burnish_theory_pdf(const burnish_theory_model *model,
 /* The cosine of a direction drawn with that density from a uniform number.
  * Power, the Gaussian over solid angle and the family have exact closed forms. For the family it is
  * 1 - (1 - xi^(1/(m+1))) / zeta over solid angle and, cosine-weighted, a mixture of two power
- * densities in u (zeta >= 1). The others invert their integral numerically to 1e-12, which is about
- * 100 times slower. Except for that mixture the cosine never decreases with xi.
+ * densities in u (zeta >= 1). Composites are a mixture of powers. The others invert their integral
+ * numerically to 1e-12, which is about 100 times slower. Except for mixtures the cosine never
+ * decreases with xi.
  *   xi  [0, 1]; clamped
  * Returns a cosine in [0, 1]. */
 BURNISH_THEORY_API double burnish_theory_sample_cosine(const burnish_theory_model *model,
@@ -247,6 +271,10 @@ BURNISH_THEORY_API void burnish_theory_sample_direction(const burnish_theory_mod
  *   degree  >= 0; order + degree: at most 127
  * Returns NaN for numbers out of range. */
 BURNISH_THEORY_API double burnish_theory_zonal(int order, double zeta, int degree);
+
+/* The same for a model with burnish_theory_polynomial(). NaN for others.
+ *   degree  [0, 127 - the polynomial's] */
+BURNISH_THEORY_API double burnish_theory_model_zonal(const burnish_theory_model *model, int degree);
 
 /* max(0, 1 - (zeta_x h_x^2 + zeta_y h_y^2) / (1 + h_z))^order: highlights of brushed metal. Equal
  * slopes give the family. The integral over solid angle is 2 pi/((order + 1) sqrt(zeta_x zeta_y)).
@@ -430,9 +458,10 @@ typedef struct burnish_theory_difference {
 
 /* Measures the difference. The maxima are certified. The slopes of a lobe and of cos^n are equal at
  * two points at most (proof: docs/theory.md), which are found by bisection (family, schlick,
- * gaussian, gx, nv2x; for each cell of a table one point in closed form). For kuijk-blake both
- * curves fall with the angle, so lobe(a) - cos^n(b) bounds the error on [a, b], and intervals are
- * split until no bound exceeds the maximum found by more than 1e-9.
+ * gaussian, gx, nv2x; for each cell of a table one point in closed form). For kuijk-blake and
+ * composites both curves fall with the angle, so lobe(a) - cos^n(b) bounds the error on [a, b], and
+ * intervals are split until no bound exceeds the maximum found by more than 1e-9, for composites of
+ * it; these have a bound by second derivatives, too.
  *   end     (0, pi/2], such as burnish_theory_inflection_angle(), burnish_theory_angle_at() of
  *           cos^n, or pi/2 for the whole range
  *   result  receives the numbers, all NaN if end is out of range; not NULL

@@ -199,9 +199,11 @@ static void check_choice(void) {
         double n, epsilon;
         int affine;
         const char *words;
-    } rows[] = {{100, .08, 0, "minimax:2"}, {100, .06, 0, "minimax:4"},  {100, .06, 1, "affine:2"},
-                {100, .02, 0, "minimax:8"}, {100, .01, 0, "minimax:16"}, {2, .001, 0, "minimax:2"},
-                {3, .01, 0, "power"},       {100, 1e-4, 0, "power"},     {1, .01, 0, "schlick"}};
+    } rows[] = {
+        {100, .08, 0, "minimax:2"},    {100, .06, 0, "minimax:4"},  {100, .06, 1, "affine:2"},
+        {100, .02, 0, "minimax:8"},    {100, .01, 0, "minimax:16"}, {2, .001, 0, "minimax:2"},
+        {3, .01, 0, "composite:3"},    {3, .001, 0, "power"},       {100, 1e-4, 0, "composite:5"},
+        {100, 1e-5, 0, "composite:6"}, {100, 1e-7, 0, "power"},     {1, .01, 0, "schlick"}};
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
         burnish_theory_model model;
         burnish_theory_cost cost;
@@ -216,8 +218,7 @@ static void check_choice(void) {
         for (size_t w = 0; burnish_lobe_spec_example(w); ++w) { /* nothing cheaper is as good */
             burnish_theory_model other;
             if (burnish_theory_model_parse(burnish_lobe_spec_example(w), rows[i].n, &other, NULL) ||
-                other.lobe.entries || other.lobe.kind == BURNISH_LOBE_COMPOSITE ||
-                (other.scale < 1 && !rows[i].affine)) {
+                other.lobe.entries || (other.scale < 1 && !rows[i].affine)) {
                 continue;
             }
             burnish_theory_cost its = burnish_theory_model_cost(&other);
