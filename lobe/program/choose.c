@@ -101,9 +101,10 @@ static int compare_candidates(const void *a, const void *b) {
 }
 
 static burnish_status choose(result *r, burnish_error *error) {
-    static const char *const words[] = {"minimax:2",  "minimax:4",   "minimax:8", "minimax:16",
-                                        "minimax:32", "schlick",     "gx",        "nv2x",
-                                        "gaussian",   "kuijk-blake", "power"};
+    static const char *const words[] = {"minimax:2",   "minimax:4",   "minimax:8",   "minimax:16",
+                                        "minimax:32",  "composite:3", "composite:4", "composite:5",
+                                        "composite:6", "schlick",     "gx",          "nv2x",
+                                        "gaussian",    "kuijk-blake", "power"};
     static const char *const affine_words[] = {"affine:2", "affine:4", "affine:8", "affine:16",
                                                "affine:32"};
     const choose_settings *settings = r->settings;
@@ -149,6 +150,29 @@ static void print_squarings(FILE *stream, int order) {
     fprintf(stream, "    specular = u * u;\n");
 }
 
+/* The constants of u = max(0, A c + B), u = u u, u = u (u + offset) ... */
+static burnish_composite composite_of(const burnish_theory_model *model) {
+    burnish_composite made;
+    (void)burnish_composite_create(&made, model->lobe.aim, model->lobe.order,
+                                   (float)model->exponent);
+    return made;
+}
+
+static void print_composite(FILE *stream, const burnish_theory_model *model) {
+    const burnish_composite made = composite_of(model);
+    char name[] = "C1";
+    print_constant(stream, "A", (double)made.slope);
+    print_constant(stream, "B", (double)(made.top - made.slope));
+    for (int i = 0; i < made.multiplications - 2; ++i, ++name[1]) {
+        print_constant(stream, name, (double)made.offset[i]);
+    }
+    fprintf(stream, "    u = fmaxf(A * c + B, 0.0F);\n    u *= u;\n");
+    for (int i = 0; i < made.multiplications - 2; ++i) {
+        fprintf(stream, "    u *= u + C%d;\n", i + 1);
+    }
+    fprintf(stream, "    specular = u;\n");
+}
+
 /* Prints the lobe as C; c is the cosine. */
 static void print_code(FILE *stream, const burnish_theory_model *model) {
     double a, b, n = model->exponent;
@@ -159,6 +183,9 @@ static void print_code(FILE *stream, const burnish_theory_model *model) {
         print_constant(stream, "B", b);
         fprintf(stream, "    u = fmaxf(A * c + B, 0.0F);\n");
         print_squarings(stream, model->lobe.order);
+        break;
+    case BURNISH_LOBE_COMPOSITE:
+        print_composite(stream, model);
         break;
     case BURNISH_LOBE_SCHLICK:
         print_constant(stream, "n", n);
@@ -220,8 +247,9 @@ static void print_text(FILE *stream, const cli_table *table, const void *context
     fprintf(stream, "%s is the cheapest lobe within %s of c^%s at every angle.\n\n", r->best.name,
             cli_shortest(r->settings->epsilon.value, epsilon),
             cli_shortest(r->settings->exponent.value, exponent));
-    fprintf(stream, "  largest error  %.5f\n  cost           %s\n", r->best.maximum, cost);
-    if (model->lobe.kind == BURNISH_LOBE_FAMILY) {
+    fprintf(stream, "  largest error  %.*f\n  cost           %s\n", r->best.maximum < 1e-3 ? 8 : 5,
+            r->best.maximum, cost);
+    if (model->zeta > 0 && model->lobe.kind != BURNISH_LOBE_NV2X) {
         fprintf(stream, "  zeta           %.9g\n", model->zeta);
         if (model->scale < 1) {
             fprintf(stream, "  peak           %.9g\n", model->scale);
@@ -248,6 +276,15 @@ static void add_keys(cJSON *root, const void *context, int *failed) {
         cli_json_add(root, "peak", cli_json_real(model->scale), failed);
         cli_json_add(root, "a", cli_json_real(a), failed);
         cli_json_add(root, "b", cli_json_real(b), failed);
+    } else if (model->lobe.kind == BURNISH_LOBE_COMPOSITE) {
+        const burnish_composite made = composite_of(model);
+        double offsets[4] = {(double)made.offset[0], (double)made.offset[1], (double)made.offset[2],
+                             (double)made.offset[3]};
+        cli_json_add(root, "zeta", cli_json_real(model->zeta), failed);
+        cli_json_add(root, "a", cli_json_real((double)made.slope), failed);
+        cli_json_add(root, "b", cli_json_real((double)(made.top - made.slope)), failed);
+        cli_json_add(root, "offsets", cJSON_CreateDoubleArray(offsets, made.multiplications - 2),
+                     failed);
     }
 }
 

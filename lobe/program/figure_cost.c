@@ -1,4 +1,5 @@
-/* The figure `cost`: a row per lobe, cheapest first, and the Pareto front. */
+/* The figures `cost`, a row per lobe, cheapest first, and the Pareto front; and `multiplications`, a
+ * curve per family. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -60,8 +61,9 @@ static burnish_status add_row(plot_chart *chart, const candidate *c, double row,
     if (!series) {
         return error->status;
     }
+    const burnish_lobe_kind kind = c->model.lobe.kind;
     int family =
-        c->model.lobe.kind == BURNISH_LOBE_FAMILY || c->model.lobe.kind == BURNISH_LOBE_LYON;
+        kind == BURNISH_LOBE_FAMILY || kind == BURNISH_LOBE_LYON || kind == BURNISH_LOBE_COMPOSITE;
     lobe_cost_text(&c->cost, cost, sizeof cost);
     snprintf(series->name, sizeof series->name, "%s", c->word);
     plot_name_lobe(&c->model, name, sizeof name);
@@ -111,4 +113,37 @@ burnish_status plot_fill_cost(const plot_request *request, plot_chart *chart,
     chart->x_column = "row";
     plot_state_exponent(request, chart);
     return status;
+}
+
+/* Neighbours in the list with the same word before the colon make a curve. */
+burnish_status plot_fill_multiplications(const plot_request *request, plot_chart *chart,
+                                         burnish_error *error) {
+    plot_series *series = NULL;
+    chart->x_low = HUGE_VAL;
+    chart->x_column = "multiplications";
+    plot_state_exponent(request, chart);
+    for (size_t i = 0; i < request->lobes.count; ++i) {
+        const char *word = request->lobes.items[i];
+        const size_t length = strcspn(word, ":");
+        burnish_theory_model model;
+        burnish_status status = plot_make_model(word, request->exponents.items[0], &model, error);
+        if (status != BURNISH_STATUS_OK) {
+            return status;
+        }
+        if (!series || strlen(series->name) != length || memcmp(series->name, word, length) != 0) {
+            series = plot_add_series(chart, error);
+            if (!series) {
+                return error->status;
+            }
+            snprintf(series->name, sizeof series->name, "%.*s", (int)length, word);
+            snprintf(series->text, sizeof series->text, "%s", series->name);
+            series->ink = plot_lobe_ink(&model);
+            series->dash = PLOT_LINE;
+        }
+        const double x = burnish_theory_model_cost(&model).multiplications;
+        add_point(series, x, burnish_theory_maximum_error(&model, acos(0)));
+        chart->x_low = fmin(chart->x_low, x);
+        chart->x_high = fmax(chart->x_high, x);
+    }
+    return BURNISH_STATUS_OK;
 }

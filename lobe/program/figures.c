@@ -73,12 +73,23 @@ static const plot_figure figures[] = {
      .exponents = "64",
      .lobes = "taylor:2,energy:2,shift7,minimax:2,affine:2,energy:4,minimax:4,affine:4,minimax:8,"
               "affine:8,"
-              "minimax:16,affine:16,minimax:32,affine:32,nv2x,power,schlick,gx,gaussian,"
+              "minimax:16,affine:16,minimax:32,affine:32,composite:3,composite:4,composite:5,"
+              "composite:6,nv2x,power,schlick,gx,gaussian,"
               "kuijk-blake,table256,table256:linear",
      .width = 960,
-     .height = 712,
+     .height = 820,
      .y_column = "maximum_error",
      .fill = plot_fill_cost},
+    {.name = "multiplications",
+     .axis = PLOT_AXIS_NONE,
+     .title = "Largest absolute error of every family against the number of multiplications",
+     .exponents = "256",
+     .lobes = "taylor:2,taylor:4,taylor:8,taylor:16,taylor:32,energy:2,energy:4,energy:8,energy:16,"
+              "energy:32,minimax:2,minimax:4,minimax:8,minimax:16,minimax:32,affine:2,affine:4,"
+              "affine:8,affine:16,affine:32,composite:2,composite:3,composite:4,composite:5,"
+              "composite:6",
+     .y_column = "maximum_error",
+     .fill = plot_fill_multiplications},
     {.name = "energy",
      .axis = PLOT_AXIS_EXPONENTS,
      .title = "Energy over the hemisphere relative to the power's against the exponent",
@@ -180,11 +191,11 @@ static int ramp_ink(size_t i, size_t count) {
 }
 
 /* A lobe has the same hue in every figure; labels distinguish the few that share one. */
-static int lobe_ink(const burnish_theory_model *model) {
+int plot_lobe_ink(const burnish_theory_model *model) {
     static const int kinds[BURNISH_LOBE_KIND_COUNT] = {
         [BURNISH_LOBE_SCHLICK] = 1, [BURNISH_LOBE_LYON] = 0,      [BURNISH_LOBE_GAUSSIAN] = 4,
         [BURNISH_LOBE_GX] = 4,      [BURNISH_LOBE_NV2X] = 5,      [BURNISH_LOBE_KUIJK_BLAKE] = 4,
-        [BURNISH_LOBE_TABLE] = 6,   [BURNISH_LOBE_COMPOSITE] = 0,
+        [BURNISH_LOBE_TABLE] = 6,   [BURNISH_LOBE_COMPOSITE] = 1,
     };
     static const int fits[BURNISH_FIT_COUNT] = {
         [BURNISH_FIT_TAYLOR] = 0,  [BURNISH_FIT_ENERGY] = 2,        [BURNISH_FIT_LEVEL] = 4,
@@ -304,7 +315,7 @@ static void dress(const plot_figure *figure, const plot_request *request, const 
     }
     series->ink = several              ? ramp_ink(c->index, c->list->count)
                   : figure->is_ordered ? ramp_ink(c->lobe_index, request->lobes.count)
-                                       : lobe_ink(model);
+                                       : plot_lobe_ink(model);
     series->dash = c->list              ? style_of(several && !many ? c->index : c->lobe_index)
                    : figure->is_ordered ? PLOT_LINE
                                         : lobe_style(model);

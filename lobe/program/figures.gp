@@ -15,7 +15,7 @@ is(list) = strstrt(" " . list . " ", " " . figure . " ") > 0
 power = "cos^{{/:Italic n}}"
 names = is("cost") ? "rows" : is("w1-extreme") ? "inside" : is("curves error polygon radius rough w1") ? "key" : "end"
 x_log = is("core cost energy orders polygon radius ratio w1-extreme")
-y_log = is("energy orders polygon radius")
+y_log = is("energy multiplications orders polygon radius")
 x_title = is("curves error radius w1") ? "lobe angle {/:Italic γ} in degrees" : "specular exponent {/:Italic n}"
 
 if (is("error")) { y_title = "absolute error, |lobe − " . power . "{/:Italic γ}|" . condition }
@@ -47,6 +47,14 @@ if (is("orders")) {
     high = 0.1
     guide = 1.0 / 510
     guide_text = "half a step of 8 bits"
+}
+if (is("multiplications")) {
+    y_title = "largest absolute error, angles from 0° to 90°" . condition
+    x_title = "multiplications"
+    set xtics 1
+    guide = 1.0 / 510
+    guide_text = "half a step of 8 bits"
+    drawing = 'plot for [i = 1:lines] $data index i - 1 using 1:2 with linespoints linewidth 2 pointtype 7 pointsize 0.6 linecolor rgb ink(color[i]) notitle'
 }
 # A dot where a lobe ends.
 if (is("radius")) {

@@ -104,6 +104,7 @@ burnish_status plot_fill(const plot_figure *figure, const plot_request *request,
 
 /* The paper's name of a lobe, else burnish's, as gnuplot's enhanced text. */
 void plot_name_lobe(const burnish_theory_model *model, char *text, size_t size);
+int plot_lobe_ink(const burnish_theory_model *model);
 
 /* The model of a lobe of --lobes. Errors: ARGUMENT. */
 burnish_status plot_make_model(const char *word, double exponent, burnish_theory_model *model,
@@ -120,6 +121,8 @@ const plot_figure *plot_figure_at(size_t index);
 
 /* The figures `cost`, `polygon` and `rough`: as plot_fill. */
 burnish_status plot_fill_cost(const plot_request *request, plot_chart *chart, burnish_error *error);
+burnish_status plot_fill_multiplications(const plot_request *request, plot_chart *chart,
+                                         burnish_error *error);
 burnish_status plot_fill_polygon(const plot_request *request, plot_chart *chart,
                                  burnish_error *error);
 burnish_status plot_fill_rough(const plot_request *request, plot_chart *chart,

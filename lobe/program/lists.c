@@ -118,7 +118,9 @@ burnish_status lobe_read_lobes(const char *flag, const char *text, lobe_names *l
         if (burnish_theory_model_parse(word, 65536, &model, &reason) != BURNISH_STATUS_OK) {
             return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: %s", flag, reason.text);
         }
-        burnish_lobe_spec_name(&model.lobe, list->items[list->count++], LOBE_NAME);
+        burnish_lobe_spec lobe; /* its own words: "exact" is another lobe for each exponent */
+        (void)burnish_lobe_spec_parse_any(word, &lobe, NULL);
+        burnish_lobe_spec_name(&lobe, list->items[list->count++], LOBE_NAME);
     }
     return BURNISH_STATUS_OK;
 }
