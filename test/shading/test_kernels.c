@@ -160,7 +160,9 @@ static void check_mixed_of_isa(const burnish_kernels *kernels, uint64_t *state) 
     lighting.lobe.kind = is_composite ? BURNISH_LOBE_COMPOSITE : BURNISH_LOBE_FAMILY;
     for (int m = 0; m < MATERIALS; ++m) {
         burnish_material material = lighting.material;
-        material.exponent = is_alike || is_composite ? 31 : (float)(1 << (m + 4));
+        material.exponent = is_alike       ? 31
+                            : is_composite ? (float)(31 * m + 31)
+                                           : (float)(1 << (m + 4));
         for (int k = 0; k < 3; ++k) {
             material.diffuse[k] = test_uniform_float(state, 0, 1);
             material.specular[k] = m == 0 ? 0 : test_uniform_float(state, 0, 1);

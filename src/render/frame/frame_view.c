@@ -338,27 +338,23 @@ static void make_area_view(const camera_frame *frame, const burnish_mesh_view *m
     memcpy(area->viewer, lighting->viewer, sizeof area->viewer);
 }
 
-/* Whether two lobes have the constants of one composite. */
-static int same_composite(const burnish_lobe_constants *a, const burnish_lobe_constants *b) {
-    return a->zeta == b->zeta && a->top == b->top &&
-           memcmp(a->offset, b->offset, sizeof a->offset) == 0;
-}
-
 /* The body by which all materials can be shaded at once; NONE if there is none. Its specular colour
  * is 0 where a material's own body is NONE. */
 static burnish_lobe_body mixed_body(const burnish_kernels_shader *shaders, size_t count) {
-    const int squarings = shaders->lobe.squarings;
-    int is_composite = 0;
-    for (size_t i = 0; i < count; ++i) {
-        is_composite |= shaders[i].lobe.body == BURNISH_LOBE_BODY_COMPOSITE;
+    int squarings = shaders->lobe.squarings, is_composite = 0;
+    for (size_t i = 0; i < count && !is_composite; ++i) {
+        is_composite = shaders[i].lobe.body == BURNISH_LOBE_BODY_COMPOSITE;
+        squarings = is_composite ? shaders[i].lobe.squarings : squarings;
     }
     for (size_t i = 0; i < count; ++i) {
         const burnish_lobe_constants *lobe = &shaders[i].lobe;
         const int is_family =
             lobe->body == BURNISH_LOBE_BODY_SQUARE || lobe->body == BURNISH_LOBE_BODY_SQUARES;
-        const int suits = is_composite ? same_composite(lobe, &shaders->lobe)
-                                       : is_family || lobe->body == BURNISH_LOBE_BODY_NONE;
-        if (!suits || lobe->squarings != squarings ||
+        const int is_none = lobe->body == BURNISH_LOBE_BODY_NONE;
+        const int suits =
+            is_composite ? lobe->body == BURNISH_LOBE_BODY_COMPOSITE : is_family || is_none;
+        const int is_free = is_composite && is_none && lobe->squarings <= squarings;
+        if (!((suits && lobe->squarings == squarings) || is_free) ||
             shaders[i].geometry != BURNISH_SHADE_DISTANT ||
             shaders[i].light_count != shaders->light_count) {
             return BURNISH_LOBE_BODY_NONE;
