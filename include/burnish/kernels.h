@@ -193,9 +193,10 @@ BURNISH_API burnish_status burnish_kernels_shade_float(const burnish_kernels *ke
  *   diffuse  = 1/pi integral of max(0, N.w) dw          Lambert's formula
  *   specular = sum over lobes of weight / E integral of S(R.w) dw
  *
- * with the lobes S(c) = max(0, 1 + zeta (c - 1))^m around the axis R, such as the mirror direction,
- * and E = 2 pi / (zeta (m + 1)), the integral of S over all directions. A light that fills the
- * hemisphere has diffuse = 1; a light that fills a lobe's cone has specular = weight.
+ * with the lobes S(c) = max(0, 1 + zeta (c - 1))^m or composites around the axis R, such as the
+ * mirror direction, and E, the integral of S over all directions: 2 pi / (zeta (m + 1)). A light
+ * that fills the hemisphere has diffuse = 1; a light that fills a lobe's cone has specular =
+ * weight.
  *
  * A sphere is a cap of directions. A tube is the strip between its two tangent planes through the
  * point, and its ends are open. Points inside a sphere or tube are lit, too.
@@ -208,9 +209,11 @@ BURNISH_API burnish_status burnish_kernels_shade_float(const burnish_kernels *ke
 
 /* A part of a reflection. */
 typedef struct burnish_kernels_lobe {
-    int order;    /* m: 1, 2, 4, 8, 16 or 32 */
-    float zeta;   /* [0.5, 65536]; for a sphere at least 1 */
+    int order;    /* m: 1, 2, 4, 8, 16 or 32; 0: `composite` instead */
+    float zeta;   /* [0.5, 65536]; for a sphere at least 1; not read with order 0 */
     float weight; /* [0, 1e6] */
+    burnish_composite
+        composite; /* order 0: from burnish_composite_create(), with its energy as E */
 } burnish_kernels_lobe;
 
 /* A light and the lobes that reflect it. Start from burnish_kernels_polygon_default(). */

@@ -91,7 +91,8 @@ int burnish_area_polygon(const burnish_area_light *light, const burnish_light_lo
     shape.lobe_count = lobes ? lobes->count : 0;
     for (int j = 0; j < shape.lobe_count; ++j) {
         const burnish_light_lobe *lobe = &lobes->lobe[j];
-        shape.lobes[j] = (burnish_kernels_lobe){lobe->order, lobe->zeta, lobe->weight};
+        shape.lobes[j] = (burnish_kernels_lobe){
+            .order = lobe->order, .zeta = lobe->zeta, .weight = lobe->weight};
     }
     if (burnish_area_is_flat(light)) {
         find_corners(light, &shape);

@@ -32,6 +32,43 @@ static int is_within(float x, float low, float high) {
     return x >= low && x <= high; /* not NaN */
 }
 
+/* Checks a composite; the squarings are those of its degree. */
+static int make_composite(const burnish_composite *lobe, burnish_polygon_lobe *made) {
+    double p[17] = {0, 1}, scale = (double)lobe->top * (double)lobe->top, energy = 0;
+    int degree = 1; /* of p, in u^2 */
+    if (lobe->multiplications < 2 || lobe->multiplications > 6 || !is_within(lobe->top, 1e-6f, 1) ||
+        !is_within(lobe->slope, lobe->top, BURNISH_LOBE_ZETA_MAX * lobe->top)) {
+        return 0;
+    }
+    made->zeta = lobe->slope / lobe->top;
+    made->squarings = lobe->multiplications - 1;
+    for (int step = 0; step < lobe->multiplications - 2; ++step) {
+        const double b = (double)lobe->offset[step] / scale;
+        double product[17] = {0};
+        if (!is_within(lobe->offset[step], 0, 1e6f)) {
+            return 0;
+        }
+        for (int i = 1; i <= degree; ++i) {
+            product[i] += b * p[i] / (1 + b);
+            for (int j = 1; j <= degree; ++j) {
+                product[i + j] += p[i] * p[j] / (1 + b);
+            }
+        }
+        memcpy(p, product, sizeof p);
+        scale *= scale * (1 + b);
+        degree *= 2;
+    }
+    for (int i = 1; i <= degree; ++i) {
+        p[i] /= 2 * i + 1;
+        energy += p[i];
+    }
+    made->terms = degree;
+    for (int i = degree; i > 0; --i) { /* the powers from u^2i on have it */
+        made->term[i - 1] = (float)(((double)(i < degree ? made->term[i] : 0.0f)) + p[i] / energy);
+    }
+    return 1;
+}
+
 static burnish_status make_lobes(const burnish_kernels_polygon *polygon,
                                  burnish_polygon_constants *constants, burnish_error *error) {
     if (polygon->lobe_count < 0 || polygon->lobe_count > BURNISH_POLYGON_LOBE_MAX) {
@@ -43,13 +80,20 @@ static burnish_status make_lobes(const burnish_kernels_polygon *polygon,
     for (int j = 0; j < polygon->lobe_count; ++j) {
         const burnish_kernels_lobe *lobe = &polygon->lobes[j];
         burnish_polygon_lobe *made = &constants->lobes[j];
-        if (lobe->order != 1 && !burnish_lobe_order_is_valid(lobe->order)) {
+        *made = (burnish_polygon_lobe){.zeta = lobe->zeta, .weight = lobe->weight};
+        if (lobe->order == 0 && !make_composite(&lobe->composite, made)) {
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                                "polygon: order %d of lobe %d is not 1, 2, 4, 8, 16 or 32",
+                                "polygon: the composite of lobe %d is not from "
+                                "burnish_composite_create()",
+                                j + 1);
+        }
+        if (lobe->order < 0 || (lobe->order > 1 && !burnish_lobe_order_is_valid(lobe->order))) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "polygon: order %d of lobe %d is not 0, 1, 2, 4, 8, 16 or 32",
                                 lobe->order, j + 1);
         }
         const float least_zeta = polygon->vertex_count == 1 ? 1.0f : 0.5f;
-        if (!is_within(lobe->zeta, least_zeta, BURNISH_LOBE_ZETA_MAX)) {
+        if (!is_within(made->zeta, least_zeta, BURNISH_LOBE_ZETA_MAX)) {
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                                 "polygon: zeta %g of lobe %d is not in [%g, 65536]",
                                 (double)lobe->zeta, j + 1, (double)least_zeta);
@@ -59,12 +103,10 @@ static burnish_status make_lobes(const burnish_kernels_polygon *polygon,
                                 "polygon: weight %g of lobe %d is not in [0, 1e6]",
                                 (double)lobe->weight, j + 1);
         }
-        const double least = 1.0 - 1.0 / (double)lobe->zeta, bound = least > 0 ? least : 0;
-        *made = (burnish_polygon_lobe){.zeta = lobe->zeta,
-                                       .weight = lobe->weight,
-                                       .is_narrow = lobe->zeta >= NARROW,
-                                       .least_cosine = (float)bound,
-                                       .least_cosine_squared = (float)(bound * bound)};
+        const double least = 1.0 - 1.0 / (double)made->zeta, bound = least > 0 ? least : 0;
+        made->is_narrow = made->zeta >= NARROW;
+        made->least_cosine = (float)bound;
+        made->least_cosine_squared = (float)(bound * bound);
         while (1 << made->squarings < lobe->order) {
             ++made->squarings;
         }

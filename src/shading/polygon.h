@@ -7,6 +7,8 @@
 
 typedef struct burnish_polygon_lobe {
     int squarings; /* log2 of the order */
+    int terms;     /* composites: of 1 + (u + u^2) (term[0] + term[1] u^2 + ...), else 0 */
+    float term[16];
     int is_narrow; /* zeta is large: what is not a polynomial is nearly one */
     float zeta, weight;
     float least_cosine, least_cosine_squared; /* of the part of the cap with c > 0 */

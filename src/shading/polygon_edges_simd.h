@@ -212,14 +212,27 @@ BURNISH_INLINE vf polygon_powers(int squarings, vf u, vf *power) {
     return vf_add(sum, *power);
 }
 
+/* 1 + u + ... + u^m. A composite is a sum of even powers, with weights by their energies: so is this. */
+BURNISH_INLINE vf polygon_sum(const burnish_polygon_lobe *lobe, vf u) {
+    const vf w = vf_mul(u, u);
+    vf sum;
+    if (lobe->terms == 0) {
+        return polygon_powers(lobe->squarings, u, &sum);
+    }
+    sum = vf_set(lobe->term[lobe->terms - 1]);
+    for (int i = lobe->terms - 2; i >= 0; --i) {
+        sum = vf_add(vf_mul(sum, w), vf_set(lobe->term[i]));
+    }
+    return vf_add(vf_set(1.0f), vf_mul(vf_add(u, w), sum));
+}
+
 /* (1 + u + ... + u^m) (1 - c) dphi / (sin d ds) */
 BURNISH_INLINE vf polygon_front(const burnish_polygon_lobe *lobe, const polygon_arc *arc, vf s) {
     const vf one = vf_set(1.0f), squared = vf_mul(s, s);
     const vf half_cosine = vf_mul(vf_set(0.5f), arc->cosine);
     const vf lambda = vf_add(arc->one_less_cosine, vf_mul(half_cosine, squared));
-    vf power, bend;
-    const vf sum =
-        polygon_powers(lobe->squarings, vf_sub(one, vf_mul(vf_set(lobe->zeta), lambda)), &power);
+    vf bend;
+    const vf sum = polygon_sum(lobe, vf_sub(one, vf_mul(vf_set(lobe->zeta), lambda)));
     if (lobe->is_narrow) {
         bend = vf_add(vf_mul(arc->bend[2], squared), arc->bend[1]);
         return vf_mul(sum, vf_add(vf_mul(bend, squared), arc->bend[0]));

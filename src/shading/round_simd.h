@@ -150,8 +150,7 @@ BURNISH_INLINE vf round_at(const burnish_polygon_lobe *lobe, const round_circle 
     const vf lambda = vf_add(circle->least, vf_mul(circle->span, squared));
     const vf u = vf_sub(vf_set(1.0f), vf_mul(vf_set(lobe->zeta), lambda));
     const vf turn = vf_mul(vf_mul(circle->cosine, circle->axis_sine), vf_add(squared, squared));
-    vf power;
-    const vf sum = polygon_powers(lobe->squarings, u, &power);
+    const vf sum = polygon_sum(lobe, u);
     return vf_div(vf_mul(sum, vf_sub(turn, circle->ahead)), vf_sub(vf_set(2.0f), lambda));
 }
 

@@ -43,11 +43,27 @@ static vec of_floats(const float *x) {
 /* The directions w with plane.w > 0 for all planes, an axis, and what is integrated around it: a
  * lobe, or the cosine if order is 0. */
 typedef struct region {
-    int count, order;
-    double zeta;
+    int count, order; /* -1: composite */
+    double zeta, energy;
+    burnish_composite composite;
     vec plane[PLANES_MAX];
     vec axis, across, up;
 } region;
+
+/* The integral of a composite over u, by Simpson's rule, from its values. */
+static double composite_integral(const burnish_composite *lobe, double end) {
+    enum { STEPS = 64 };
+    double sum = 0;
+    for (int i = 0; i <= STEPS; ++i) {
+        double v = (double)lobe->top * end * i / STEPS;
+        v *= v;
+        for (int k = 0; k < lobe->multiplications - 2; ++k) {
+            v *= v + (double)lobe->offset[k];
+        }
+        sum += v * (i == 0 || i == STEPS ? 1 : i % 2 ? 4 : 2);
+    }
+    return sum * end / (3 * STEPS);
+}
 
 /* The antiderivative over the angle from the axis, scaled to 1 for the whole lobe or, for the cosine,
  * the hemisphere. */
@@ -56,6 +72,9 @@ static double antiderivative(const region *given, double angle) {
         return pow(sin(fmin(angle, M_PI / 2)), 2);
     }
     const double u = fmax(0, 1 - 2 * given->zeta * pow(sin(angle / 2), 2));
+    if (given->order < 0) {
+        return 1 - composite_integral(&given->composite, u) / given->energy;
+    }
     return 1 - pow(u, given->order + 1);
 }
 
@@ -144,6 +163,12 @@ static void reference(const burnish_kernels_polygon *polygon, const place *at, d
     light[0] = integral(&made, of_floats(at->normal));
     made.order = polygon->lobes[0].order;
     made.zeta = (double)polygon->lobes[0].zeta;
+    if (made.order == 0) {
+        made.order = -1;
+        made.composite = polygon->lobes[0].composite;
+        made.zeta = (double)made.composite.slope / (double)made.composite.top;
+        made.energy = composite_integral(&made.composite, 1);
+    }
     light[1] = integral(&made, of_floats(at->axis));
 }
 
@@ -175,7 +200,7 @@ static burnish_kernels_polygon random_polygon(int order, float zeta, uint64_t *s
     const double size = pow(2, (double)test_uniform_float(state, -5, 2)),
                  ratio = (double)test_uniform_float(state, 0.1f, 1),
                  start = (double)test_uniform_float(state, 0, 6);
-    polygon.lobes[0] = (burnish_kernels_lobe){order, zeta, 1};
+    polygon.lobes[0] = (burnish_kernels_lobe){.order = order, .zeta = zeta, .weight = 1};
     polygon.is_distant = test_random32(state) % 4 == 0;
     polygon.is_two_sided = (int)(test_random32(state) % 2);
     polygon.vertex_count = 3 + (int)(test_random32(state) % 6);
@@ -269,6 +294,30 @@ static void test_values(int trials) {
     }
 }
 
+/* The same for composites of every number of multiplications. */
+static void test_composites(int trials) {
+    static const float exponents[] = {3, 10, 40, 300, 10000};
+    for (int k = 0; k < 25; ++k) {
+        const int multiplications = 2 + k % 5;
+        uint64_t state = test_seed(78);
+        double worst = 0;
+        for (int trial = 0; trial < trials; ++trial) {
+            burnish_kernels_polygon polygon = random_polygon(0, 0, &state);
+            burnish_composite_create(&polygon.lobes[0].composite, BURNISH_COMPOSITE_MINIMAX,
+                                     multiplications, exponents[k / 5]);
+            polygon.lobes[0].zeta = polygon.lobes[0].composite.slope;
+            const place at = random_place(&polygon, &state);
+            float light[2];
+            double expected[2];
+            kernel(scalar(), &polygon, &at, light);
+            reference(&polygon, &at, expected);
+            worst = fmax(worst, fabs((double)light[1] - expected[1]));
+        }
+        CHECK(worst > 0 && worst <= 5e-5, "composite:%d, n = %g: off by %.3g", multiplications,
+              (double)exponents[k / 5], worst);
+    }
+}
+
 /* An axis at a corner of a light, and at one that the horizon cuts, within 1e-9 to 0.1. */
 static void test_corners(void) {
     uint64_t state = test_seed(4);
@@ -318,7 +367,7 @@ static burnish_kernels_polygon rectangle(float x0, float x1, float y0, float y1)
         polygon.vertices[v][0] = corners[v][0];
         polygon.vertices[v][1] = corners[v][1];
     }
-    polygon.lobes[0] = (burnish_kernels_lobe){4, 3, 1};
+    polygon.lobes[0] = (burnish_kernels_lobe){.order = 4, .zeta = 3, .weight = 1};
     return polygon;
 }
 
@@ -465,7 +514,7 @@ static void test_bits(void) {
                 make_input(&from, trial % 40 == 0, &state);
             }
             polygon.lobe_count = 1 + trial % 2;
-            polygon.lobes[1] = (burnish_kernels_lobe){1, 1.5f, 0.5f};
+            polygon.lobes[1] = (burnish_kernels_lobe){.order = 1, .zeta = 1.5f, .weight = 0.5f};
             memset(light, 0x5a, sizeof light);
             memset(expected, 0x5a, sizeof expected);
             run(kernels, &polygon, &from, trial % 5 == 0, first, count, out);
@@ -497,8 +546,10 @@ static void test_hash(void) {
     polygon.lobe_count = 2;
     make_input(&from, 1, &state);
     for (int order = 1; order <= 32; order *= 2) {
-        polygon.lobes[0] = (burnish_kernels_lobe){order, 0.75f * (float)(order * order), 0.25f};
-        polygon.lobes[1] = (burnish_kernels_lobe){order, 1.5f * (float)order, 0.75f};
+        polygon.lobes[0] = (burnish_kernels_lobe){
+            .order = order, .zeta = 0.75f * (float)(order * order), .weight = 0.25f};
+        polygon.lobes[1] =
+            (burnish_kernels_lobe){.order = order, .zeta = 1.5f * (float)order, .weight = 0.75f};
         run(scalar(), &polygon, &from, order == 4, 0, BLOCK, out);
         for (int i = 0; i < 2 * BLOCK; ++i) {
             for (int byte = 0; byte < 4; ++byte) {
@@ -549,6 +600,7 @@ static void test_arguments(void) {
     });
     REFUSED("4 lobes", bad.lobe_count = 4);
     REFUSED("order 3", bad.lobes[0].order = 3);
+    REFUSED("composite", bad.lobes[0].order = 0);
     REFUSED("zeta 0.4", bad.lobes[0].zeta = 0.4f);
     REFUSED("zeta nan", bad.lobes[0].zeta = NAN);
     REFUSED("weight -1", bad.lobes[0].weight = -1);
@@ -589,6 +641,7 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, "--trials");
     const char *trials = test_option();
     RUN(test_values(trials ? atoi(trials) : 150));
+    RUN(test_composites(trials ? atoi(trials) : 60));
     RUN(test_corners());
     RUN(test_sides());
     RUN(test_plane());

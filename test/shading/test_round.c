@@ -122,7 +122,7 @@ static burnish_kernels_polygon draw_light(int is_tube, int order, float zeta, ui
     light.vertex_count = 1 + is_tube;
     light.radius = root * root * (is_tube ? 0.2f : 1.0f);
     light.is_distant = test_random32(state) % 4 == 0;
-    light.lobes[0] = (burnish_kernels_lobe){order, zeta, 1};
+    light.lobes[0] = (burnish_kernels_lobe){.order = order, .zeta = zeta, .weight = 1};
     return light;
 }
 
@@ -167,6 +167,25 @@ static burnish_status light_at(const burnish_kernels *kernels, const burnish_ker
 
 /* ---- Values ---- */
 
+/* Composites that are members of the family have its light. */
+static void test_composites(int trials) {
+    uint64_t state = test_seed(11);
+    double worst = 0;
+    for (int trial = 0; trial < trials; ++trial) {
+        const int order = 2 << trial % 5;
+        burnish_kernels_polygon light = draw_light(trial % 2, order, 1, &state);
+        const place at = draw_place(&light, &state);
+        float expected[2], out[2];
+        CHECK1(light_at(scalar(), &light, &at, NULL, expected) == BURNISH_STATUS_OK);
+        light.lobes[0].order = 0;
+        CHECK1(!burnish_composite_create(&light.lobes[0].composite, BURNISH_COMPOSITE_MINIMAX, 6,
+                                         (float)order));
+        CHECK1(light_at(scalar(), &light, &at, NULL, out) == BURNISH_STATUS_OK);
+        worst = fmax(worst, fabs((double)out[1] - (double)expected[1]));
+    }
+    CHECK(worst < 2e-6, "off by %.3g", worst);
+}
+
 static void test_spheres(int trials) {
     static const float zetas[] = {1, 2, 8, 32, 200, 2000, 20000};
     for (size_t z = 0; z < sizeof zetas / sizeof *zetas; ++z) {
@@ -201,7 +220,7 @@ static void test_small(void) {
     burnish_kernels_polygon light = burnish_kernels_polygon_default();
     light.vertex_count = 1;
     light.vertices[0][0] = light.vertices[0][1] = 0;
-    light.lobes[0] = (burnish_kernels_lobe){4, 5, 1};
+    light.lobes[0] = (burnish_kernels_lobe){.order = 4, .zeta = 5, .weight = 1};
     for (double radius = 0.01; radius > 1e-4; radius /= 4) {
         const double squared = radius * radius, want = squared * pow(0.8, 4) * 5 * 5 / 2;
         float got[2];
@@ -337,7 +356,7 @@ static void test_bits(void) {
             }
         }
         drawn.lobe_count = 1 + trial % 2;
-        drawn.lobes[1] = (burnish_kernels_lobe){1, 1.5f, 0.5f};
+        drawn.lobes[1] = (burnish_kernels_lobe){.order = 1, .zeta = 1.5f, .weight = 0.5f};
         memset(expected, 0x5a, sizeof expected);
         for (int i = 0; i < count; ++i) {
             run(scalar(), &drawn, &from, (const float(*)[BLOCK])axes, first + i, 1,
@@ -386,6 +405,7 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, "--trials");
     const char *trials = test_option();
     const int tried = trials ? atoi(trials) : 150;
+    RUN(test_composites(200));
     RUN(test_spheres(tried));
     RUN(test_small());
     RUN(test_tubes(2 * tried));
