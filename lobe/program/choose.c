@@ -150,7 +150,8 @@ static void print_squarings(FILE *stream, int order) {
     fprintf(stream, "    specular = u * u;\n");
 }
 
-/* The constants of u = max(0, A c + B), u = u u, u = u (u + offset) ... */
+/* The constants of u = max(0, T - A lambda), u = u u, u = u (u + offset) ... With A c + B, rounding B
+ * would move the peak, by .002 at n = 65536. */
 static burnish_composite composite_of(const burnish_theory_model *model) {
     burnish_composite made;
     (void)burnish_composite_create(&made, model->lobe.aim, model->lobe.order,
@@ -161,12 +162,13 @@ static burnish_composite composite_of(const burnish_theory_model *model) {
 static void print_composite(FILE *stream, const burnish_theory_model *model) {
     const burnish_composite made = composite_of(model);
     char name[] = "C1";
+    print_constant(stream, "T", (double)made.top);
     print_constant(stream, "A", (double)made.slope);
-    print_constant(stream, "B", (double)(made.top - made.slope));
     for (int i = 0; i < made.multiplications - 2; ++i, ++name[1]) {
         print_constant(stream, name, (double)made.offset[i]);
     }
-    fprintf(stream, "    u = fmaxf(A * c + B, 0.0F);\n    u *= u;\n");
+    fprintf(stream, "    const float lambda = 1.0F - c; /* or burnish_lobe_chord */\n"
+                    "    u = fmaxf(T - A * lambda, 0.0F);\n    u *= u;\n");
     for (int i = 0; i < made.multiplications - 2; ++i) {
         fprintf(stream, "    u *= u + C%d;\n", i + 1);
     }
@@ -281,8 +283,8 @@ static void add_keys(cJSON *root, const void *context, int *failed) {
         double offsets[4] = {(double)made.offset[0], (double)made.offset[1], (double)made.offset[2],
                              (double)made.offset[3]};
         cli_json_add(root, "zeta", cli_json_real(model->zeta), failed);
-        cli_json_add(root, "a", cli_json_real((double)made.slope), failed);
-        cli_json_add(root, "b", cli_json_real((double)(made.top - made.slope)), failed);
+        cli_json_add(root, "top", cli_json_real((double)made.top), failed);
+        cli_json_add(root, "slope", cli_json_real((double)made.slope), failed);
         cli_json_add(root, "offsets", cJSON_CreateDoubleArray(offsets, made.multiplications - 2),
                      failed);
     }

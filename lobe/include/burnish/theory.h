@@ -521,7 +521,8 @@ BURNISH_THEORY_API double burnish_theory_mean_normal(const double (*normals)[3],
 /* ---- Cost and choice ---- */
 
 /* Operations of one evaluation from a cosine (kuijk-blake: the angle, by one arc cosine), with
- * constants computed per material. The family: u = max(0, A c + B), then log2(m) squarings. */
+ * constants computed per material. The family: u = max(0, A c + B), then log2(m) squarings.
+ * Composites: from lambda. */
 typedef struct burnish_theory_cost {
     int multiplications;
     int additions;   /* and subtractions */
