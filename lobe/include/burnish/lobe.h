@@ -293,8 +293,11 @@ static inline float burnish_lobe_cutoff_cosine(burnish_lobe lobe) {
  *     6                 .00086   .000034     .0000018     .0000021
  *
  * From 2 to 4 it is .0057, from 1 to 2 up to .25: take pow there, and plain products for n = 1 and
- * 3. For display, 5 multiplications give another 8-bit sRGB code at 7 % of the range at most, and
- * never one that differs by more than 1, for every n from 8 on. */
+ * 3. For display, 5 multiplications give another 8-bit sRGB code at 9 % of the range at most, and
+ * never one that differs by more than 1, for every n from 8 on.
+ *
+ * While n grows, lobes jump where it passes to other constants or an exact product: by at most .0034
+ * at n = 4, .00087 at 8 and .00033 above. */
 
 /* The error that the constants make least. */
 typedef enum burnish_composite_aim {

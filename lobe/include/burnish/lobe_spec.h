@@ -133,8 +133,8 @@ BURNISH_API burnish_lobe_spec burnish_lobe_exact(float exponent);
  *             AFFINE at order 2; any for GIVEN
  *   zeta      receives the slope, 0 on error; not NULL
  *   scale     receives the value at the peak, 0 on error; not NULL
- * Errors: ERROR_FIT (or another kind: a composite has no slope and scale), ERROR_ORDER, ERROR_EXPONENT, ERROR_ORDER_FOR_EXPONENT,
- * ERROR_LEVEL, ERROR_ZETA. NaN is an error.
+ * Errors: ERROR_FIT (or another kind: a composite has no slope and scale), ERROR_ORDER,
+ * ERROR_EXPONENT, ERROR_ORDER_FOR_EXPONENT, ERROR_LEVEL, ERROR_ZETA. NaN is an error.
  * Source: minimax by Beaudoin and Guardado 2002, whose tables it reproduces. */
 BURNISH_API burnish_lobe_status burnish_lobe_solve(const burnish_lobe_spec *lobe, double exponent,
                                                    double *zeta, double *scale);
