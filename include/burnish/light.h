@@ -46,7 +46,8 @@ typedef enum burnish_area_shape {
 } burnish_area_shape;
 
 /* A light of constant radiance. It is not visible itself, only its reflections are. Spheres and lines
- * shine in all directions, also on points inside them. */
+ * shine in all directions. A point inside is lit as on their surface, from the side of the centre or
+ * axis. */
 typedef struct burnish_area_light {
     burnish_area_shape shape;
     int is_distant; /* 1: seen in the same directions from everywhere, those from (0, 0, 0) to its

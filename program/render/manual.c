@@ -55,7 +55,7 @@ static const cli_term light_terms[] = {
     {"*sphere*, *line*",
      "a ball, for which _RADIUS_ follows the position: *sphere:-1,1,0:0.3*; or a tube between two "
      "positions: *line:-1,1,0:1,1,0:0.05*. Their intensity is their radiance. They shine in all "
-     "directions, and the only option is *distant*."},
+     "directions but not into themselves, and the only option is *distant*."},
     {"*world-directional*, *world-point*, *world-rect*, *world-disc*, *world-sphere*, "
      "*world-line*",
      "the same in the scene's coordinates."},

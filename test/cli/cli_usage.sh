@@ -24,6 +24,10 @@ expect 2 'burnish: --camera-position: it is equal to the focal point; move one o
 expect 2 'burnish: --camera-view-up: it is parallel to the direction of view; use another vector' render :sphere --camera-position=0,9,0 --camera-focal-point=0,0,0 --camera-view-up=0,1,0
 expect 2 'burnish: --camera-position: --views already sets the camera; omit one of them' render :sphere --views=top --camera-position=1,2,3
 expect 2 'burnish: --azimuth: --camera-position already sets the camera; omit one of them' render :sphere --camera-position=1,2,3 --azimuth=30
+expect 2 'burnish: --light: "sphere:1,1,1:1e38" is not sphere:X,Y,Z:RADIUS[:OPTION][:INTENSITY[:COLOR]]: a radius above 0 and at most 1e30 follows, as in sphere:-1,1,1:0.2' render :sphere --light=sphere:1,1,1:1e38
+expect 2 'burnish: --light: "line:1,1,1:2,1,1" is not line:X,Y,Z:X,Y,Z:RADIUS[:OPTION][:INTENSITY[:COLOR]]: a radius above 0 and at most 1e30 follows, as in line:-1,1,0:1,1,0:0.05' render :sphere --light=line:1,1,1:2,1,1
+expect 2 'burnish: --light: "disc:1,1,1:1e38,1" is not disc:X,Y,Z:WIDTH,HEIGHT[:OPTION][:INTENSITY[:COLOR]]: width and height above 0 and at most 1e30 follow the position, as in rect:-1,1,1:0.5,0.5' render :sphere --light=disc:1,1,1:1e38,1
+expect 2 'burnish: --light: "line:1,1" is not line:X,Y,Z:X,Y,Z:RADIUS[:OPTION][:INTENSITY[:COLOR]]: the kind is followed by two positions, as in line:-1,1,0:1,1,0:0.05' render :sphere --light=line:1,1
 expect 2 'burnish: --light: "sun:1,2,3" is not KIND:X,Y,Z[:INTENSITY[:COLOR]]: the kind is directional, point, rect, disc, sphere or line, or one of these after world-; or the whole is none or file' render :sphere --light=sun:1,2,3
 expect 2 'burnish: --ambient: "-1" is not a number from 0 to 16, nor a colour: #rgb, #rrggbb, r,g,b from 0 to 1, or a name' render :sphere --ambient=-1
 expect 2 'burnish: --material: "wood" is not one of matte, satin, plastic, polished, metal' render :sphere --material=wood

@@ -144,7 +144,8 @@ static const char *read_area(const char *text, burnish_area_light *light) {
     length = text ? cli_next_item(&text, ':', &item) : 0;
     if (length == 0 || !cli_read_reals(item, length, size, 2) ||
         !(size[0] > 0 && size[0] <= 1e30 && size[1] > 0 && size[1] <= 1e30)) {
-        return "the position is followed by width and height above 0, such as rect:-1,1,1:0.5,0.5";
+        return "width and height above 0 and at most 1e30 follow the position, as in "
+               "rect:-1,1,1:0.5,0.5";
     }
     while (text) {
         const char *rest = text;
@@ -177,22 +178,21 @@ static int read_position(const char **text, double position[3]) {
     return length > 0 && cli_read_reals(item, length, position, 3);
 }
 
-/* X,Y,Z:RADIUS[:distant][:INTENSITY[:COLOR]] of a sphere; a line has both ends; returns NULL, or what is
- * wrong. */
+/* X,Y,Z:RADIUS[:distant][:INTENSITY[:COLOR]] of a sphere; a line has both ends; returns NULL, or
+ * what is wrong. */
 static const char *read_round(const char *text, burnish_area_light *light) {
     const int is_line = light->shape == BURNISH_AREA_LINE;
     area_options unused = {.has_target = 0};
     double end[3], radius, squared = 0;
     const char *item, *rest;
-    if (!read_position(&text, light->center)) {
-        return "the kind is followed by three numbers, such as sphere:-1,1,1:0.2";
-    }
-    if (is_line && !read_position(&text, end)) {
-        return "the position is followed by the other end, such as line:-1,1,0:1,1,0:0.05";
+    if (!read_position(&text, light->center) || (is_line && !read_position(&text, end))) {
+        return is_line ? "the kind is followed by two positions, as in line:-1,1,0:1,1,0:0.05"
+                       : "the kind is followed by three numbers, such as sphere:-1,1,1:0.2";
     }
     size_t length = text ? cli_next_item(&text, ':', &item) : 0;
     if (length == 0 || !cli_read_real(item, length, &radius) || !(radius > 0 && radius <= 1e30)) {
-        return "the position is followed by a radius above 0, such as sphere:-1,1,1:0.2";
+        return is_line ? "a radius above 0 and at most 1e30 follows, as in line:-1,1,0:1,1,0:0.05"
+                       : "a radius above 0 and at most 1e30 follows, as in sphere:-1,1,1:0.2";
     }
     for (int k = 0; k < 3; ++k) {
         light->half_u[k] = is_line ? (end[k] - light->center[k]) / 2 : k == 0 ? radius : 0;
