@@ -185,12 +185,14 @@ burnish_lobe_spec burnish_lobe_exact(float exponent) {
     }
     if (exponent >= 1 && exponent <= BURNISH_LOBE_EXPONENT_MAX &&
         exponent == (float)(unsigned)exponent) {
-        int multiplications =
-            -2; /* a squaring per bit but one, a product per bit that is 1 but one */
+        int multiplications = -2; /* a squaring per bit, a product per bit that is 1, but one */
         for (unsigned n = (unsigned)exponent; n > 0; n /= 2) {
             multiplications += n % 2 ? 2 : 1;
         }
-        lobe.kind = multiplications <= MULTIPLICATIONS_MAX ? BURNISH_LOBE_INTEGER_POWER : lobe.kind;
+        if (multiplications <= MULTIPLICATIONS_MAX) {
+            lobe =
+                (burnish_lobe_spec){.kind = BURNISH_LOBE_INTEGER_POWER, .order = multiplications};
+        }
     }
     return lobe;
 }

@@ -18,7 +18,8 @@ burnish_theory_cost burnish_theory_model_cost(const burnish_theory_model *model)
         cost.additions = model->steps + 1;
         break;
     case BURNISH_LOBE_POWER:
-        cost.transcendentals = 1;
+        cost.multiplications = model->steps;
+        cost.transcendentals = !model->is_product;
         break;
     case BURNISH_LOBE_SCHLICK: /* c / (n - (n - 1) c) */
         cost.multiplications = cost.additions = cost.divisions = 1;

@@ -38,9 +38,12 @@ burnish_lobe_status burnish_theory_model_create(burnish_theory_model *model,
     burnish_theory_model made = {.lobe = *lobe, .exponent = exponent, .scale = 1};
     if (lobe->kind == BURNISH_LOBE_EXACT) {
         const burnish_lobe_spec exact = burnish_lobe_exact((float)exponent);
-        made.lobe = exact.kind == BURNISH_LOBE_INTEGER_POWER
-                        ? (burnish_lobe_spec){.kind = BURNISH_LOBE_POWER}
-                        : exact;
+        made.lobe = exact;
+        if (exact.kind == BURNISH_LOBE_INTEGER_POWER) {
+            made.lobe = (burnish_lobe_spec){.kind = BURNISH_LOBE_POWER};
+            made.is_product = 1;
+            made.steps = exact.order;
+        }
         lobe = &made.lobe;
     }
     burnish_lobe_status status = burnish_lobe_check(2, exponent);

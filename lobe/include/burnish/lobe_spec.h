@@ -101,8 +101,8 @@ BURNISH_API burnish_status burnish_lobe_spec_check(const burnish_lobe_spec *lobe
 /* The cheapest lobe that is exact to 8 bits: a highlight of intensity 1 has, in sRGB, at most one
  * code more or less than c^n, and the same code over at least nine tenths of its range.
  *   exponent  [1, 65536]
- * Returns INTEGER_POWER for integers with a product of at most 5 multiplications, such as 1 to 14,
- * 16 and 32; composite display:5 from 8 on, which differs at 9 % of the range at most; POWER for the
+ * Returns INTEGER_POWER for integers with a product of at most 5 multiplications (its order), such
+ * as 1 to 14, 16 and 32; composite display:5 from 8 on, which differs at 9 % of the range at most; POWER for the
  * rest. */
 BURNISH_API burnish_lobe_spec burnish_lobe_exact(float exponent);
 

@@ -66,11 +66,12 @@ BURNISH_THEORY_API double burnish_theory_gx(double cosine, double exponent);
 typedef struct burnish_theory_model {
     burnish_lobe_spec lobe; /* any kind but INTEGER_POWER */
     double exponent;        /* n of the cos^n that it approximates: [1, 65536] */
-    double zeta;  /* FAMILY, LYON, COMPOSITE: the slope; NV2X: 1 / (1 + k0); otherwise 0 */
-    double scale; /* value at the peak: 1, in (0, 1) with fit AFFINE */
-    double k[4];  /* NV2X: k0, k1, k2; KUIJK_BLAKE: a, b of the formula below;
+    double zeta;    /* FAMILY, LYON, COMPOSITE: the slope; NV2X: 1 / (1 + k0); otherwise 0 */
+    double scale;   /* value at the peak: 1, in (0, 1) with fit AFFINE */
+    double k[4];    /* NV2X: k0, k1, k2; KUIJK_BLAKE: a, b of the formula below;
                                COMPOSITE: b of each step; the others are 0 */
-    int steps;    /* COMPOSITE: number of b */
+    int steps;      /* COMPOSITE: number of b; POWER: multiplications of a product */
+    int is_product; /* POWER: 1: cos^n is a product of cosines, as EXACT draws it */
 } burnish_theory_model;
 
 /* Makes the model of a lobe.

@@ -233,6 +233,12 @@ static void check_choice(void) {
     burnish_theory_model w = model_of("taylor:16", 100);
     burnish_theory_cost cost = burnish_theory_model_cost(&w);
     CHECK1(cost.multiplications == 5 && cost.additions == 1 && cost.comparisons == 1);
+    w = model_of("exact", 7); /* c c^2 c^4 */
+    cost = burnish_theory_model_cost(&w);
+    CHECK1(cost.multiplications == 4 && cost.transcendentals == 0 && cost.comparisons == 1);
+    w = model_of("exact", 5.5);
+    cost = burnish_theory_model_cost(&w);
+    CHECK1(cost.multiplications == 0 && cost.transcendentals == 1);
 }
 
 static void check_formats(void) {
