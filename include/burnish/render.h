@@ -112,7 +112,8 @@ typedef struct burnish_render_options {
     int threads; /* [1, 1024] or BURNISH_THREADS_AUTO; does not affect the pixels */
     const burnish_kernels *kernels; /* NULL: burnish_kernels_best(); do not affect the pixels */
     burnish_camera camera;
-    burnish_lobe_spec lobe; /* one that burnish_lobe_spec_check() accepts */
+    burnish_lobe_spec lobe; /* one that burnish_lobe_spec_check() accepts; where a texture varies
+                               exponent, highlight or normal, POWER for COMPOSITE and EXACT */
     burnish_specular_model specular_model;
     int local_viewer;       /* 1: V points from the surface to the camera; 0: V is the axis of the
                                camera everywhere */
@@ -164,9 +165,10 @@ typedef struct burnish_render_options {
     burnish_counts counts; /* for the report; does not affect the pixels */
 } burnish_render_options;
 
-/* 1024x768, 4 samples, the lobe auto (energy:2 by_material), Blinn, local viewer, BURNISH_LOOK_PLAIN of look.h: key, fill and
- * rim light that follow the camera, a little ambient light, a white background. The camera must be
- * set: its position equals its focal point, which is refused. */
+/* 1024x768, 4 samples, the lobe auto (energy:2 by_material), Blinn, local viewer,
+ * BURNISH_LOOK_PLAIN of look.h: key, fill and rim light that follow the camera, a little ambient
+ * light, a white background. The camera must be set: its position equals its focal point, which is
+ * refused. */
 BURNISH_API void burnish_render_options_init(burnish_render_options *options, uint64_t layout);
 static inline burnish_render_options burnish_render_options_default(void) {
     burnish_render_options options;

@@ -382,7 +382,9 @@ static const cli_flag flags[] = {
      .manual =
          "The specular lobe; see *LOBES*. *auto* draws materials that state their exponent (in "
          "the input, by *--material* or *--exponent*) with cos^n, exact to 8 bits, and the rest "
-         "with *energy:2*. A list with commas makes one labelled sheet."},
+         "with *energy:2*. Materials whose exponent, highlight or normal varies with a texture are "
+         "drawn with *power* in place of *composite* and *display*. A list with commas makes one "
+         "labelled sheet."},
     {DRAW_FLAG("equation", "NAME", "cosine that the lobe is applied to", cli_flag_word,
                shading.equation),
      .svg = CLI_SVG_REFUSED, .default_text = "blinn", .words = equation_words,

@@ -251,7 +251,7 @@ static void solve_lobes(burnish_texturing *texturing, const burnish_lobe_spec *l
 }
 
 static int same_lobe(const burnish_lobe_spec *a, const burnish_lobe_spec *b) {
-    return a->kind == b->kind && a->fit == b->fit && a->order == b->order &&
+    return a->kind == b->kind && a->fit == b->fit && a->aim == b->aim && a->order == b->order &&
            a->by_material == b->by_material && !(a->parameter < b->parameter) &&
            !(a->parameter > b->parameter);
 }
