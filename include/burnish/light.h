@@ -9,14 +9,15 @@
  *   D(N)           1/pi integral of L max(0, N.w) over the directions w
  *   Spec(R, alpha) mean of L over the directions w, weighted by lobes of R.w as wide as the
  *                  highlight of a material of this alpha
- *   A, B           functions of alpha and N.V: what a rough surface reflects of uniform light
- *                  (Karis, Physically Based Shading on Mobile, 2014)
+ *   A, B           functions of alpha and N.V: what GGX reflects of uniform light, A + B within
+ *                  0.013 and B within 0.015 from N.V = 0.05 on
  *   kd, F0, alpha  metallic-roughness: base (1 - metallic), reflectance (1 - metallic) + base
  *                  metallic, roughness^2; Phong: kd, min(1, 8 ks / (n + 4)), sqrt(2 / (n + 2)). A
  *                  Phong material with ks 0 reflects nothing
  * Metallic-roughness materials also reflect light several times (Fdez-Aguera, A Multiple-Scattering
  * Microfacet Model for Real-Time Image Based Lighting, 2019), and their kd is multiplied by the
- * share that is not reflected, so a white surface in uniform light of 1 is 1.
+ * share that is not reflected, so a white surface in uniform light of 1 is 1. 0.8 alpha^1.5 of their
+ * Spec is D(N) instead: GGX's tails, which the lobes cut off.
  * The kd of a Phong material is at most 1 - (F0 A + B): white surfaces with a highlight reflect no
  * more than they receive.
  * For Phong materials, an area light that shrinks to solid angle W becomes a directional light of

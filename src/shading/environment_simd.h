@@ -260,55 +260,82 @@ BURNISH_INLINE void environment_material_at(const burnish_reflecting_material *m
     }
 }
 
-/* Reflectance F0 A + B of uniform light (Karis 2014). A + B = 1 - 0.55 roughness. */
-BURNISH_INLINE void environment_reflectance(const environment_material *material, vf n_dot_v,
-                                            vf out[3]) {
-    const vf zero = vf_set(0.0f), r = material->roughness;
-    const vf smooth = vf_sub(vf_set(1.0f), r);
-    const vf fall = vector_exp2(vf_mul(vf_set(-9.28f), vf_max(n_dot_v, zero)));
-    const vf at_edge = vf_add(vf_mul(vf_min(vf_mul(smooth, smooth), fall), smooth),
-                              vf_sub(vf_set(0.0425f), vf_mul(vf_set(0.0275f), r)));
-    const vf scaled = vf_mul(vf_set(1.04f), at_edge);
-    const vf a = vf_sub(vf_sub(vf_set(1.04f), vf_mul(vf_set(0.572f), r)), scaled);
-    const vf b = vf_add(vf_sub(vf_mul(vf_set(0.022f), r), vf_set(0.04f)), scaled);
-    for (int k = 0; k < 3; ++k) {
-        out[k] = vf_max(vf_add(vf_mul(material->reflectance[k], a), b), zero);
+BURNISH_INLINE vf environment_polynomial(const float *coefficients, int count, vf x) {
+    vf value = vf_set(coefficients[count - 1]);
+    for (int i = count - 2; i >= 0; --i) {
+        value = vf_add(vf_mul(value, x), vf_set(coefficients[i]));
     }
+    return value;
 }
 
-/* The share of light that leaves after several reflections, over that after one (Fdez-Aguera, A
+/* What GGX (Smith, heights correlated) does not reflect of uniform light if F = 1, and what it reflects
+ * if F = (1 - V.H)^5. Fitted to sums over 160,000 visible normals: from N.V = 0.05 on `lost` is within
+ * 0.013 (0.007 up to roughness 0.4) and `edge` within 0.015. shaders/burnish.shade has the same. */
+BURNISH_INLINE void environment_albedo(vf roughness, vf n_dot_v, vf *lost, vf *edge) {
+    static const float widths[4][4] = {{0.0902f, -1.6499f, 16.1298f, -30.1591f},
+                                       {-1.2358f, -12.2444f, -3.6416f, 92.1318f},
+                                       {23.1922f, -38.3755f, 39.2847f, -135.1644f},
+                                       {-21.1263f, 50.4039f, -45.6626f, 73.1733f}};
+    static const float falls[3][3] = {
+        {0.1829f, 0.2027f, 0.6153f}, {-0.0182f, 0.4253f, -3.192f}, {-0.0746f, -0.7393f, 2.9062f}};
+    const vf zero = vf_set(0.0f), one = vf_set(1.0f);
+    const vf r = vf_min(vf_max(roughness, zero), one), alpha = vf_mul(r, r);
+    const vf x = vf_min(vf_max(n_dot_v, zero), one), fall = vf_sub(one, x);
+    const vf wide = vf_add(vf_mul(vf_set(1.5f), alpha), vf_set(0x1p-20f));
+    const vf above = vf_div(x, vf_add(x, wide)), below = vf_sub(one, above);
+    const vf cubed = vf_mul(vf_mul(fall, fall), fall);
+    const vf narrow = vf_add(vf_add(x, vf_set(0.3f)), vf_add(alpha, alpha));
+    vf l = zero, e = zero;
+    for (int i = 3; i >= 0; --i) {
+        l = vf_add(vf_mul(l, below), environment_polynomial(widths[i], 4, r));
+    }
+    for (int i = 2; i >= 0; --i) {
+        e = vf_add(vf_mul(e, cubed), environment_polynomial(falls[i], 3, r));
+    }
+    *lost = vf_max(vf_mul(vf_mul(l, r), above), zero);
+    *edge = vf_max(vf_div(vf_mul(e, cubed), vf_mul(narrow, narrow)), zero);
+}
+
+/* Shares of uniform light: what is reflected once, and after that several times (Fdez-Aguera, A
  * Multiple-Scattering Microfacet Model for Real-Time Image Based Lighting, 2019). */
-BURNISH_INLINE void environment_multiple(const environment_material *material, vf out[3]) {
-    const vf one = vf_set(1.0f), lost = vf_mul(vf_set(0.55f), material->roughness);
+BURNISH_INLINE void environment_reflectance(const environment_material *material, vf n_dot_v,
+                                            vf once[3], vf again[3]) {
+    const vf one = vf_set(1.0f);
+    vf lost, edge;
+    environment_albedo(material->roughness, n_dot_v, &lost, &edge);
     for (int k = 0; k < 3; ++k) {
         const vf f = material->reflectance[k];
         const vf mean = vf_add(f, vf_mul(vf_sub(one, f), vf_set(1.0f / 21.0f)));
-        const vf again = vf_mul(lost, mean);
-        out[k] = vf_div(again, vf_sub(one, again));
+        const vf back = vf_mul(lost, mean);
+        once[k] = vf_add(vf_mul(f, vf_sub(vf_sub(one, lost), edge)), edge);
+        again[k] = vf_div(vf_mul(once[k], back), vf_sub(one, back));
     }
 }
 
 /* kd D + (F0 A + B) Spec, and for metallic-roughness the light of several reflections, kd being
- * what is not reflected; Phong's kd is at most that. */
+ * what is not reflected; Phong's kd is at most that. Spec's lobes end where GGX's tails go on: these are
+ * diffuse light instead, a share of 0.8 roughness^3 (fitted to walks on rough metal under near and
+ * distant lights and a window). */
 BURNISH_INLINE void environment_color(const environment_material *material, int is_metallic,
-                                      const vf reflectance[3], const vf diffuse[3],
+                                      const vf once[3], const vf again[3], const vf diffuse[3],
                                       const vf specular[3], vf out[3]) {
-    vf multiple[3], kept = vf_set(1.0f);
+    const vf r = material->roughness;
+    vf kept = vf_set(1.0f), tail = vf_set(0.0f);
     if (is_metallic) {
         vf most = vf_set(0.0f);
-        environment_multiple(material, multiple);
         for (int k = 0; k < 3; ++k) {
-            multiple[k] = vf_mul(reflectance[k], multiple[k]);
-            most = vf_max(most, vf_add(reflectance[k], multiple[k]));
+            most = vf_max(most, vf_add(once[k], again[k]));
         }
         kept = vf_sub(kept, vf_min(most, kept));
+        tail = vf_mul(vf_mul(vf_set(0.8f), r), vf_mul(r, r));
     }
     for (int k = 0; k < 3; ++k) {
-        const vf left = vf_sub(vf_set(1.0f), reflectance[k]);
-        const vf matt = is_metallic ? vf_add(vf_mul(material->diffuse[k], kept), multiple[k])
+        const vf left = vf_sub(vf_set(1.0f), once[k]);
+        const vf matt = is_metallic ? vf_add(vf_mul(material->diffuse[k], kept), again[k])
                                     : vf_min(material->diffuse[k], left);
-        out[k] = vf_mul(vf_add(vf_mul(matt, diffuse[k]), vf_mul(reflectance[k], specular[k])),
-                        material->open);
+        const vf mirrored = environment_mix(specular[k], diffuse[k], tail);
+        out[k] =
+            vf_mul(vf_add(vf_mul(matt, diffuse[k]), vf_mul(once[k], mirrored)), material->open);
     }
 }
 
@@ -330,7 +357,7 @@ BURNISH_INLINE void environment_vector(const burnish_environment_constants *cons
     environment_vectors at;
     environment_material surface;
     vf diffuse[3] = {zero, zero, zero}, specular[3] = {zero, zero, zero};
-    vf reflectance[3] = {zero, zero, zero};
+    vf once[3] = {zero, zero, zero}, again[3] = {zero, zero, zero};
     environment_material_at(material, each, i, &surface);
     environment_load(constants, points, material->is_metallic, surface.roughness, i, &at);
     if (constants->diffuse) {
@@ -349,9 +376,9 @@ BURNISH_INLINE void environment_vector(const burnish_environment_constants *cons
     }
     environment_add_near(each, i, diffuse, specular);
     if (material->reflects) {
-        environment_reflectance(&surface, at.n_dot_v, reflectance);
+        environment_reflectance(&surface, at.n_dot_v, once, again);
     }
-    environment_color(&surface, material->is_metallic, reflectance, diffuse, specular, color);
+    environment_color(&surface, material->is_metallic, once, again, diffuse, specular, color);
 }
 
 static void add_environment(const burnish_environment_constants *constants,

@@ -154,12 +154,26 @@ static void find_point(const burnish_render_options *options, int x, int y, vec 
     normalize(viewer);
 }
 
+/* F0 A + B of each pixel: what a black surface shows of uniform light. */
+static float shares[SIDE][SIDE];
+
+static void draw_shares(burnish_mesh *mesh, burnish_render_options options, float exponent) {
+    options.has_dome = 1;
+    set_three(options.dome.zenith, 1);
+    set_three(options.dome.horizon, 1);
+    set_three(options.dome.nadir, 1);
+    set_phong(mesh, 0, 1, exponent);
+    draw(mesh, &options);
+    for (int i = 0; i < SIDE * SIDE; ++i) {
+        shares[i / SIDE][i % SIDE] = picture.rgba[i / SIDE][i % SIDE][0];
+    }
+}
+
 /* The largest difference between a picture of one light and the sum, in colour per radiance, over a
  * grid of pixels. */
 static double compare(const burnish_render_options *options, const burnish_material *material) {
     const burnish_area_light *light = &options->area_lights[0];
-    const double n = (double)material->exponent, alpha = sqrt(2 / (n + 2)), r = sqrt(alpha);
-    const double f0 = fmin(1, 8 * (double)material->specular[0] / (n + 4));
+    const double alpha = sqrt(2 / ((double)material->exponent + 2));
     double worst = 0;
     for (int i = 0; i < SIDE * SIDE; i += 173) {
         const int x = i % SIDE, y = i / SIDE;
@@ -177,10 +191,8 @@ static double compare(const burnish_render_options *options, const burnish_mater
             axis[k] = 2 * n_dot_v * normal[k] - viewer[k];
         }
         integrate(light, position, normal, axis, alpha, sums);
-        const double edge =
-            fmin((1 - r) * (1 - r), exp2(-9.28 * fmax(n_dot_v, 0))) * (1 - r) + 0.0425 - 0.0275 * r;
-        const double a = 1.04 - 0.572 * r - 1.04 * edge, b = 0.022 * r - 0.04 + 1.04 * edge;
-        const double share = f0 * a + b, kd = fmin((double)material->diffuse[0], 1 - share);
+        const double share = (double)shares[y][x];
+        const double kd = fmin((double)material->diffuse[0], 1 - share);
         const double want = kd * sums[0] + share * sums[1];
         const double got = (double)picture.rgba[y][x][0] / (double)light->color[0];
         worst = fmax(worst, fabs(got - want));
@@ -209,6 +221,7 @@ static void test_sums(burnish_mesh *mesh) {
         for (int is_parallel = 0; is_parallel < 2; ++is_parallel) {
             for (float exponent = 4; exponent < 300; exponent *= 8) {
                 burnish_render_options options = dark_options(is_parallel);
+                draw_shares(mesh, options, exponent);
                 options.area_lights[0] = cases[i].light;
                 options.area_light_count = 1;
                 set_phong(mesh, 0.5f, 1, exponent);

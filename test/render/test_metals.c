@@ -1,0 +1,320 @@
+/* What GGX reflects of uniform light, against sums over visible normals; white metal and plastic in
+ * pictures, under area lights and an environment, against walks on rough surfaces. */
+#include <math.h>
+
+#include "burnish/light.h"
+#include "core/vec3.h"
+#include "pictures.h"
+#include "shading/shading_ops.h"
+#include "vec.h"
+
+enum { SIDE = 320, STEPS = 40, COLUMNS = 128, ROWS = 64, SHAPES = 2, LIGHTS = 3 };
+
+typedef double vec[3];
+
+static struct picture {
+    float rgba[SIDE][SIDE][4], depth[SIDE][SIDE], normal[SIDE][SIDE][3];
+} picture;
+
+static uint64_t seed;
+
+static double drawn(void) {
+    return (double)test_uniform_float(&seed, 0, 1);
+}
+
+/* ---- Walks on a rough surface (Heitz et al., Multiple-Scattering Microfacet BSDFs with the Smith
+ * Model, 2016), N being z and heights uniform ---- */
+
+static double smith(const vec w, double alpha) {
+    const double t = alpha * alpha * (1 - w[2] * w[2]) / (w[2] * w[2]);
+    return (-1 + copysign(sqrt(1 + t), w[2])) / 2;
+}
+
+/* A normal that is seen from w (Dupuy and Benyoub 2023), from two numbers in [0, 1). */
+static void visible_normal(const vec w, double alpha, double a, double b, vec m) {
+    vec v = {alpha * w[0], alpha * w[1], w[2]};
+    normalize(v);
+    const double z = (1 - a) * (1 + v[2]) - v[2], s = sqrt(fmax(0, 1 - z * z));
+    m[0] = alpha * (s * cos(2 * M_PI * b) + v[0]);
+    m[1] = alpha * (s * sin(2 * M_PI * b) + v[1]);
+    m[2] = z + v[2];
+    normalize(m);
+}
+
+/* The height in [0, 1] where a ray meets the surface; above 1: nowhere. */
+static double next_height(const vec ray, double height, double alpha) {
+    if (ray[2] > 0.9999) {
+        return 2;
+    }
+    if (ray[2] < -0.9999) {
+        return height * drawn();
+    }
+    const double lambda = smith(ray, alpha), u = drawn();
+    return fabs(ray[2]) < 1e-4 ? height : height / pow(1 - u, 1 / lambda);
+}
+
+/* From a viewer in direction v to a light: its direction, and the share of light that comes. */
+static double walk(const vec v, double alpha, double f0, double a, double b, vec ray) {
+    double height = 1, share = 1;
+    for (int k = 0; k < 3; ++k) {
+        ray[k] = -v[k];
+    }
+    for (int i = 0; i < 32; ++i) {
+        vec m;
+        height = next_height(ray, height, alpha);
+        if (height > 1) {
+            return i > 0 ? share : 0;
+        }
+        const vec back = {-ray[0], -ray[1], -ray[2]};
+        visible_normal(back, alpha, i > 0 ? drawn() : a, i > 0 ? drawn() : b, m);
+        const double cosine = dot(back, m);
+        share *= f0 + (1 - f0) * pow(1 - fmin(fmax(cosine, 0), 1), 5);
+        for (int k = 0; k < 3; ++k) {
+            ray[k] += 2 * cosine * m[k];
+        }
+    }
+    return 0;
+}
+
+/* ---- Lights ---- */
+
+static const burnish_area_light areas[2] = {
+    {BURNISH_AREA_RECT, 0, 0, 1, {-1.2, 1.1, 1.3}, {0.6, 0, 0.5}, {0, 0.6, 0}, {1.2f, 1.2f, 1.2f}},
+    {BURNISH_AREA_RECT, 1, 0, 1, {-0.8, 0.7, 0.9}, {0.4, 0, 0.35}, {0, 0.4, 0}, {1.2f, 1.2f, 1.2f}},
+};
+
+/* A dark room with a window and a lamp. */
+static float room[ROWS][COLUMNS];
+
+static void furnish(void) {
+    for (int i = 0; i < ROWS * COLUMNS; ++i) {
+        const int x = i % COLUMNS, y = i / COLUMNS;
+        const int is_window = x >= 78 && x < 98 && y >= 12 && y < 30;
+        const int is_lamp = x >= 112 && x < 118 && y >= 20 && y < 26;
+        room[y][x] = is_window ? 8 : is_lamp ? 18 : 0.03f + 0.02f * (float)y / ROWS;
+    }
+}
+
+/* What comes from direction w to a point. */
+static double radiance(int light, const vec position, const vec w) {
+    if (light == 2) {
+        const double azimuth = atan2(w[2], w[0]) / (2 * M_PI) + 0.5;
+        const int x = (int)fmin(azimuth * COLUMNS, COLUMNS - 1);
+        const int y = (int)fmin(acos(fmin(fmax(w[1], -1), 1)) / M_PI * ROWS, ROWS - 1);
+        return 0.25 * (double)room[y][x];
+    }
+    const burnish_area_light *area = &areas[light];
+    const double *u = area->half_u, *v = area->half_v;
+    vec n, c, d;
+    for (int k = 0; k < 3; ++k) {
+        c[k] = area->center[k] - (area->is_distant ? 0 : position[k]);
+    }
+    cross(u, v, n);
+    const double t = dot(n, c) / dot(n, w);
+    for (int k = 0; k < 3; ++k) {
+        d[k] = t * w[k] - c[k];
+    }
+    return t > 0 && fabs(dot(d, u)) <= dot(u, u) && fabs(dot(d, v)) <= dot(v, v)
+               ? (double)area->color[0]
+               : 0;
+}
+
+/* ---- Pixels ---- */
+
+/* A white surface of reflectance f0, seen in direction v. The rest of its light is diffuse. */
+static double reference(int light, const vec position, const vec normal, const vec v, double f0,
+                        double alpha) {
+    double shares = 0, specular = 0, diffuse = 0;
+    vec x, y, to_viewer;
+    cross(normal, fabs(normal[0]) < 0.6 ? (vec){1, 0, 0} : (vec){0, 1, 0}, x);
+    normalize(x);
+    cross(normal, x, y);
+    to_viewer[0] = dot(v, x);
+    to_viewer[1] = dot(v, y);
+    to_viewer[2] = dot(v, normal);
+    for (int i = 0; i < STEPS * STEPS; ++i) {
+        const double a = (i / STEPS + drawn()) / STEPS, b = (i % STEPS + drawn()) / STEPS;
+        const double flat = sqrt(a), turn = 2 * M_PI * b;
+        vec local, w;
+        const double share = walk(to_viewer, alpha, f0, a, b, local);
+        for (int k = 0; k < 3; ++k) {
+            w[k] = local[0] * x[k] + local[1] * y[k] + local[2] * normal[k];
+        }
+        shares += share;
+        specular += share > 0 ? share * radiance(light, position, w) : 0;
+        for (int k = 0; k < 3; ++k) {
+            w[k] = flat * (cos(turn) * x[k] + sin(turn) * y[k]) + sqrt(1 - a) * normal[k];
+        }
+        diffuse += radiance(light, position, w);
+    }
+    const double count = STEPS * STEPS;
+    return (specular + (1 - shares / count) * diffuse) / count;
+}
+
+static double srgb(double x) {
+    const double c = fmin(fmax(x, 0), 1);
+    return 255 * (c < 0.0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - 0.055);
+}
+
+static burnish_render_options options_for(int light, burnish_environment *environment) {
+    burnish_render_options options = front_options(SIDE, SIDE, 2.2);
+    options.light_count = 0;
+    options.camera.position[2] = 4;
+    options.up[1] = 1;
+    set_three(options.ambient_light, 0);
+    if (light < 2) {
+        options.area_lights[0] = areas[light];
+        options.area_light_count = 1;
+    } else {
+        options.environment = environment;
+        options.environment_strength = 0.25f;
+    }
+    return options;
+}
+
+typedef struct errors {
+    double squares, sum;
+    int count;
+} errors;
+
+/* Differences in 8-bit codes over a grid of pixels. */
+static void compare(int light, double f0, double roughness, errors *e) {
+    for (int i = 3; i < SIDE * SIDE; i += 877) {
+        const int x = i % SIDE, y = i / SIDE;
+        vec position = {((x + 0.5) / SIDE - 0.5) * 2.2, (0.5 - (y + 0.5) / SIDE) * 2.2, 0};
+        vec normal;
+        if (!isfinite(picture.depth[y][x])) {
+            continue;
+        }
+        position[2] = 4 - (double)picture.depth[y][x];
+        for (int k = 0; k < 3; ++k) {
+            normal[k] = (double)picture.normal[y][x][k];
+        }
+        const double should = reference(light, position, normal, (vec){0, 0, 1}, f0,
+                                        fmax(roughness * roughness, 1e-4));
+        const double d = srgb((double)picture.rgba[y][x][0]) - srgb(should);
+        e->squares += d * d;
+        e->sum += d;
+        ++e->count;
+    }
+}
+
+static void set_metal(burnish_mesh *mesh, float metallic, float roughness) {
+    burnish_material material = burnish_material_default();
+    set_three(material.diffuse, 1);
+    set_three(material.reflectance, 0.04f);
+    material.has_diffuse = material.is_metallic = 1;
+    material.metallic = metallic;
+    material.roughness = roughness;
+    set_material(mesh, &material);
+}
+
+/* Most RMS for metal; the bias is the mean of both shapes. */
+static void test_light(burnish_mesh *const meshes[SHAPES], int light, double most,
+                       burnish_environment *environment) {
+    static const float roughnesses[] = {0.1f, 0.3f, 0.5f, 0.8f};
+    const burnish_render_options options = options_for(light, environment);
+    for (int i = 0; i < 8; ++i) {
+        const float roughness = roughnesses[i % 4];
+        const int is_metal = i / 4;
+        errors e = {0};
+        for (int shape = 0; shape < SHAPES; ++shape) {
+            const burnish_target target =
+                make_target(floats_of(picture.rgba[0][0], SIDE, SIDE), picture.depth[0],
+                            picture.normal[0][0], NULL, NULL);
+            set_metal(meshes[shape], (float)is_metal, roughness);
+            draw_into(meshes[shape], &options, &target, NULL);
+            compare(light, is_metal ? 1 : 0.04, (double)roughness, &e);
+        }
+        const double rms = sqrt(e.squares / e.count), bias = e.sum / e.count;
+        printf("  light %d, %s, roughness %.1f: RMS %.1f, bias %+.1f of 255\n", light,
+               is_metal ? "metal" : "plastic", (double)roughness, rms, bias);
+        CHECK(e.count > 100 && rms < (is_metal ? most : 2.5) && fabs(bias) < 2,
+              "light %d, metallic %d, roughness %g: %g, %g", light, is_metal, (double)roughness,
+              rms, bias);
+    }
+}
+
+/* ---- Uniform light ---- */
+
+/* What GGX reflects if F = 1, and if F = (1 - V.H)^5. */
+static void albedo(double alpha, double n_dot_v, double out[2]) {
+    enum { SUMS = 60 };
+    const vec v = {sqrt(1 - n_dot_v * n_dot_v), 0, n_dot_v};
+    out[0] = out[1] = 0;
+    for (int i = 0; i < SUMS * SUMS; ++i) {
+        vec m;
+        visible_normal(v, alpha, (i / SUMS + 0.5) / SUMS, (i % SUMS + 0.5) / SUMS, m);
+        const double cosine = dot(v, m);
+        const vec w = {2 * cosine * m[0] - v[0], 2 * cosine * m[1], 2 * cosine * m[2] - v[2]};
+        if (w[2] > 0) {
+            const double to_v = 1 + smith(v, alpha), share = to_v / (to_v + smith(w, alpha));
+            out[0] += share / (SUMS * SUMS);
+            out[1] += share * pow(1 - cosine, 5) / (SUMS * SUMS);
+        }
+    }
+}
+
+/* F0 A + B of the kernels for F0 of 1 and 0: what a black Phong material shows of uniform light. */
+static void test_albedo(void) {
+    static float ones[2 * 10 * 10 * 4];
+    const burnish_light_map map = {.size = 8, .texels = ones};
+    double worst[2] = {0, 0};
+    for (size_t i = 0; i < sizeof ones / sizeof *ones; ++i) {
+        ones[i] = 1;
+    }
+    for (int i = 0; i < 11 * 20; ++i) {
+        const double roughness = fmax(i / 20 / 10.0, 0.01), n_dot_v = 0.05 * (i % 20 + 1);
+        double should[2];
+        albedo(roughness * roughness, n_dot_v, should);
+        for (int k = 0; k < 2; ++k) {
+            const burnish_environment_constants constants = {
+                .viewer = {(float)sqrt(1 - n_dot_v * n_dot_v), 0, (float)n_dot_v},
+                .axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                .diffuse = &map};
+            const float f0 = k == 0;
+            const burnish_reflecting_material material = {.reflectance = {f0, f0, f0},
+                                                          .roughness = (float)roughness,
+                                                          .reflects = 1,
+                                                          .specular = &map};
+            float normal[3][16] = {{0}}, rgb[3][16] = {{0}};
+            for (int lane = 0; lane < 16; ++lane) {
+                normal[2][lane] = 1;
+            }
+            const burnish_kernels_points points = {.normal = {normal[0], normal[1], normal[2]}};
+            burnish_kernels_best()->add_environment(&constants, &material, &points,
+                                                    &(burnish_reflecting_points){.open = NULL}, 1,
+                                                    (float *const[3]){rgb[0], rgb[1], rgb[2]});
+            worst[k] = fmax(worst[k], fabs((double)rgb[1][0] - should[k]));
+        }
+    }
+    printf("albedo: at most %.4f and %.4f away\n", worst[0], worst[1]);
+    CHECK1(worst[0] < 0.014 && worst[1] < 0.015);
+}
+
+int main(int count, char **arguments) {
+    static float rgb[ROWS][COLUMNS][3];
+    static const float corners[] = {-1, -0.8f, 0.9f,  1,  -0.8f, 0.9f,
+                                    1,  0.7f,  -0.9f, -1, 0.7f,  -0.9f};
+    burnish_environment *environment;
+    burnish_error error;
+    test_begin(count, arguments, NULL);
+    seed = test_seed(5);
+    furnish();
+    for (int i = 0; i < ROWS * COLUMNS; ++i) {
+        set_three(rgb[i / COLUMNS][i % COLUMNS], room[i / COLUMNS][i % COLUMNS]);
+    }
+    CHECK_OK(burnish_environment_create(NULL, COLUMNS, ROWS, rgb[0][0], &environment, &error),
+             error);
+    burnish_mesh *meshes[SHAPES] = {load_tessellated(":sphere", 64),
+                                    create_quads(corners, NULL, 1)};
+    RUN(test_albedo());
+    for (int light = 0; light < LIGHTS; ++light) {
+        RUN(test_light(meshes, light, 6.5, environment));
+    }
+    burnish_environment_destroy(environment);
+    for (int i = 0; i < SHAPES; ++i) {
+        burnish_mesh_destroy(meshes[i]);
+    }
+    return test_end("metals");
+}
