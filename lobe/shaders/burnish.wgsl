@@ -583,20 +583,25 @@ fn burnishGgxStretch(NoV: f32, roughness: f32) -> f32 {
     return 1.0 / width - 1.0;
 }
 
-// The share F0 x + y of white light that GGX reflects: polynomials fitted to its integrals, without light
-// that is reflected more than once. x + y is within 0.04, y within 0.045.
+// The share F0 x + y of white light that GGX reflects once: fitted to sums over visible normals. From NoV = 0.05
+// on, x + y is within 0.013 and y within 0.015. src/shading/environment_simd.h has the same.
 fn burnishGgxAlbedo(NoV: f32, roughness: f32) -> vec2f {
     let r = roughness;
-    let q = 1.0 - NoV;
-    let q5 = q * q * q * q * q;
-    var sum = 1.0 + r * (0.39698 + r * (r * 0.28534 - 1.39467));
-    sum = sum + q5 * r * (r * (6.34208 - r * 5.25493) - 1.02413);
-    sum = sum + q * r * (0.05344 + r * (1.33749 - r * 1.34041));
-    sum = sum + q * q * r * (r * (r * 4.50138 - 3.66818) - 0.32463);
-    var y = r * (r * 0.08623 - 0.04109) - 0.03907;
-
-                     y = y + q5 * (1.05434 + r * (r * 2.25303 - 3.16369)) + q * (0.11963 + r * (0.53691 - r * 0.74945));
-    return vec2f(sum - max(y, 0.0), max(y, 0.0));
+    let fall = 1.0 - NoV;
+    let cubed = fall * fall * fall;
+    let above = NoV / (NoV + 1.5 * r * r + 9.536743e-7);
+    let below = 1.0 - above;
+    var lost = -21.1263 + r * (50.4039 + r * (r * 73.1733 - 45.6626));
+    lost = lost * below + (23.1922 + r * (r * (39.2847 - r * 135.1644) - 38.3755));
+    lost = lost * below + (r * (r * (r * 92.1318 - 3.6416) - 12.2444) - 1.2358);
+    lost = lost * below + (0.0902 + r * (r * (16.1298 - r * 30.1591) - 1.6499));
+    lost = max(lost * r * above, 0.0);
+    let narrow = NoV + 0.3 + 2.0 * r * r;
+    var y = r * (r * 2.9062 - 0.7393) - 0.0746;
+    y = y * cubed + (r * (0.4253 - r * 3.192) - 0.0182);
+    y = y * cubed + (0.1829 + r * (0.2027 + r * 0.6153));
+    y = max(y * cubed / (narrow * narrow), 0.0);
+    return vec2f(1.0 - lost - y, y);
 }
 
 // ---- lighting/area/burnishAreaLight ----
