@@ -59,16 +59,16 @@ draw() {
 # Keys.
 open :teapot --lobe=energy:2,power --exponent=40
 xdotool key s
-draw start :teapot --look=three-point --exponent=40
+draw start :teapot --look=three-point --lobe=energy:2 --exponent=40
 becomes "at the start" "$shots/start.png"
 xdotool key f
-draw front :teapot --look=three-point --exponent=40 --views=front
+draw front :teapot --look=three-point --lobe=energy:2 --exponent=40 --views=front
 becomes "F" "$shots/front.png"
 xdotool key t
-draw top :teapot --look=three-point --exponent=40 --views=top
+draw top :teapot --look=three-point --lobe=energy:2 --exponent=40 --views=top
 becomes "T" "$shots/top.png"
 xdotool key Home w
-draw wires :teapot --look=three-point --exponent=40 --wireframe
+draw wires :teapot --look=three-point --lobe=energy:2 --exponent=40 --wireframe
 becomes "Home, W" "$shots/wires.png"
 xdotool key w s
 draw power :teapot --look=three-point --exponent=40 --lobe=power
