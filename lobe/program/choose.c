@@ -280,13 +280,14 @@ static void add_keys(cJSON *root, const void *context, int *failed) {
         cli_json_add(root, "b", cli_json_real(b), failed);
     } else if (model->lobe.kind == BURNISH_LOBE_COMPOSITE) {
         const burnish_composite made = composite_of(model);
-        double offsets[4] = {(double)made.offset[0], (double)made.offset[1], (double)made.offset[2],
-                             (double)made.offset[3]};
+        cJSON *offsets = cJSON_CreateArray();
         cli_json_add(root, "zeta", cli_json_real(model->zeta), failed);
         cli_json_add(root, "top", cli_json_real((double)made.top), failed);
         cli_json_add(root, "slope", cli_json_real((double)made.slope), failed);
-        cli_json_add(root, "offsets", cJSON_CreateDoubleArray(offsets, made.multiplications - 2),
-                     failed);
+        for (int i = 0; i < made.multiplications - 2; ++i) {
+            cli_json_add(offsets, NULL, cli_json_real((double)made.offset[i]), failed);
+        }
+        cli_json_add(root, "offsets", offsets, failed);
     }
 }
 
