@@ -10,8 +10,8 @@ const char *cli_default_label(const cli_flag *flag);
 /* Topic number `index` of --help=TOPIC, NULL past the last. */
 const char *cli_topic_at(const cli_command *command, size_t index);
 
-/* The text of an exit code, NULL for an unused one. Codes are below CLI_EXIT_END. `own`: those of the
- * program that are not from a burnish_status; the last has a NULL name. */
+/* The text of an exit code, NULL for an unused one. Codes are below CLI_EXIT_END. `own`: those of
+ * the program that are not from a burnish_status; the last has a NULL name. */
 const char *cli_exit_text(const cli_word *own, int code);
 enum { CLI_EXIT_END = 16 };
 

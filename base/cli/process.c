@@ -6,7 +6,8 @@
 #ifdef _WIN32
 #include <process.h>
 
-/* In quotes, for the C library that splits the command line again. Never released: the program ends. */
+/* In quotes, for the C library that splits the command line again. Never released: the program
+ * ends. */
 static char *quote(const char *text) {
     char *const quoted = malloc(2 * strlen(text) + 3), *at = quoted;
     size_t slashes = 0;

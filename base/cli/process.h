@@ -36,8 +36,9 @@ __attribute__((noreturn)) void cli_execute(const char *path, const char *const *
 enum { CLI_PATH_SIZE = 4096 };
 int cli_find_program(const char *name, char path[CLI_PATH_SIZE]);
 
-/* Runs another program instead of this one, with words that end with NULL, the first of which is its
- * name. Returns its exit code on Windows; elsewhere it returns only -1, if that fails, and sets errno.
+/* Runs another program instead of this one, with words that end with NULL, the first of which is
+ * its name. Returns its exit code on Windows; elsewhere it returns only -1, if that fails, and sets
+ * errno.
  */
 int cli_run_instead(const char *path, char **words);
 

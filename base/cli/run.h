@@ -15,8 +15,8 @@ int cli_run(const cli_command *command, cli_work *work, int argc, char **argv);
 const cli_command *cli_find_command(const cli_command *const *commands, const char *name,
                                     burnish_error *error);
 
-/* Errors: ARGUMENT if an output would replace a mesh behind a link, or if text would get the name of a
- * mesh (cli_is_input_name). */
+/* Errors: ARGUMENT if an output would replace a mesh behind a link, or if text would get the name
+ * of a mesh (cli_is_input_name). */
 burnish_status cli_check_output(const char *flag, const char *path, int is_text,
                                 burnish_error *error);
 

@@ -1,8 +1,8 @@
 /* Times e^-x of burnish_exp_falloff3 ... next to exp: arrays with SIMD, and the shaders on a Vulkan
  * device. Usage: bench_falloff FOLDER_OF_SPIRV [ROUNDS]
  *
- * Rows take turns as in bench_kernels. Printed are the median time of one value and the median over the
- * rounds of its ratio to exp's, loops included. */
+ * Rows take turns as in bench_kernels. Printed are the median time of one value and the median over
+ * the rounds of its ratio to exp's, loops included. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

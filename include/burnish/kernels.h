@@ -224,8 +224,8 @@ typedef struct burnish_kernels_polygon {
                          are positions */
     int is_two_sided; /* 0: the light shines to the side from which the vertices are in
                          counterclockwise order; a distant one on (0, 0, 0). 1: to both sides */
-    int vertex_count; /* [3, BURNISH_POLYGON_VERTEX_MAX]; 1: a sphere around the vertex; 2: a tube from
-                         one vertex to the other */
+    int vertex_count; /* [3, BURNISH_POLYGON_VERTEX_MAX]; 1: a sphere around the vertex; 2: a tube
+                         from one vertex to the other */
     /* Corners of a flat and convex polygon, within 1e-4 of its size; coordinates in
      * [-2^40, 2^40]. */
     float vertices[BURNISH_POLYGON_VERTEX_MAX][3];

@@ -16,8 +16,8 @@
  *                  Phong material with ks 0 reflects nothing
  * Metallic-roughness materials also reflect light several times (Fdez-Aguera, A Multiple-Scattering
  * Microfacet Model for Real-Time Image Based Lighting, 2019), and their kd is multiplied by the
- * share that is not reflected, so a white surface in uniform light of 1 is 1. 0.8 alpha^1.5 of their
- * Spec is D(N) instead: GGX's tails, which the lobes cut off.
+ * share that is not reflected, so a white surface in uniform light of 1 is 1. 0.8 alpha^1.5 of
+ * their Spec is D(N) instead: GGX's tails, which the lobes cut off.
  * The kd of a Phong material is at most 1 - (F0 A + B): white surfaces with a highlight reflect no
  * more than they receive.
  * For Phong materials, an area light that shrinks to solid angle W becomes a directional light of
@@ -46,9 +46,9 @@ typedef enum burnish_area_shape {
                             radius of |half_v| */
 } burnish_area_shape;
 
-/* A light of constant radiance. It is not visible itself, only its reflections are. Spheres and lines
- * shine in all directions. A point inside is lit as on their surface, from the side of the centre or
- * axis. */
+/* A light of constant radiance. It is not visible itself, only its reflections are. Spheres and
+ * lines shine in all directions. A point inside is lit as on their surface, from the side of the
+ * centre or axis. */
 typedef struct burnish_area_light {
     burnish_area_shape shape;
     int is_distant; /* 1: seen in the same directions from everywhere, those from (0, 0, 0) to its

@@ -150,8 +150,8 @@ static void print_squarings(FILE *stream, int order) {
     fprintf(stream, "    specular = u * u;\n");
 }
 
-/* The constants of u = max(0, T - A lambda), u = u u, u = u (u + offset) ... With A c + B, rounding B
- * would move the peak, by .002 at n = 65536. */
+/* The constants of u = max(0, T - A lambda), u = u u, u = u (u + offset) ... With A c + B, rounding
+ * B would move the peak, by .002 at n = 65536. */
 static burnish_composite composite_of(const burnish_theory_model *model) {
     burnish_composite made;
     (void)burnish_composite_create(&made, model->lobe.aim, model->lobe.order,

@@ -1,5 +1,5 @@
-/* The figures `cost`, a row per lobe, cheapest first, and the Pareto front; and `multiplications`, a
- * curve per family. */
+/* The figures `cost`, a row per lobe, cheapest first, and the Pareto front; and `multiplications`,
+ * a curve per family. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

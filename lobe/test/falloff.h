@@ -1,5 +1,5 @@
-/* Sweeps of burnish_exp_falloff3 ... against e^-x in double: test_lobe takes strides, sweep_lobe every
- * float. */
+/* Sweeps of burnish_exp_falloff3 ... against e^-x in double: test_lobe takes strides, sweep_lobe
+ * every float. */
 #ifndef BURNISH_TEST_FALLOFF_H
 #define BURNISH_TEST_FALLOFF_H
 
@@ -10,7 +10,8 @@
 #include "burnish/lobe.h"
 #include "support.h"
 
-/* The bounds are those in lobe.h: of the absolute error, and of the relative one up to 1, 2 and 3. */
+/* The bounds are those in lobe.h: of the absolute error, and of the relative error up to x = 1, 2
+ * and 3. */
 typedef struct {
     float (*of)(float);
     float end;
@@ -24,8 +25,8 @@ static const falloff_case falloff_cases[] = {
 };
 enum { FALLOFF_CASE_COUNT = sizeof falloff_cases / sizeof falloff_cases[0] };
 
-/* 1 if the values at every stride-th float from 2^-32, below which they are 1, to END are in (0, 1],
- * never increase and keep the bounds. Prints the errors. */
+/* 1 if the values at every stride-th float from 2^-32, below which they are 1, to END are in (0,
+ * 1], never increase and keep the bounds. Prints the errors. */
 static inline int falloff_keeps(const falloff_case *at, uint64_t stride) {
     double absolute = 0, relative[3] = {0};
     float last = 0;

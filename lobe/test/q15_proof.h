@@ -226,7 +226,8 @@ static int q15_report(const char *what, const q15_case *c, const q15_result *res
 
 /* ---- Composites ----------------------------------------------------------------------------- */
 
-/* The largest error against cos^n in steps of 2^-16: powers, from a cosine or 1 - cosine; n = 15; above. */
+/* The largest error against cos^n in steps of 2^-16: powers, from a cosine or 1 - cosine; n = 15;
+ * above. */
 enum { Q15_POWERS, Q15_FIFTEEN, Q15_ABOVE, Q15_RANGES };
 static const double q15_composite_bounds[Q15_RANGES] = {37, 70, 32};
 
@@ -261,7 +262,8 @@ static void q15_bound(q15_composites *found, uint32_t n, double near, double far
     ++found->all.values;
 }
 
-/* v = top - floor(128 slope lambda) for any real lambda, so that all v are all cosines and all lambdas. */
+/* v = top - floor(128 slope lambda) for any real lambda, so that all v are all cosines and all
+ * lambdas. */
 static void q15_prove_composite_steps(uint32_t n, const burnish_composite_q15 *lobe,
                                       q15_composites *found) {
     const double step = 1 / (128.0 * lobe->slope);

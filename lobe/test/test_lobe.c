@@ -540,8 +540,8 @@ static void check_composite_accuracy(void) {
     }
 }
 
-/* Exact to 8 bits: a highlight of intensity 1 is at most one code off, and off at most at a tenth of
- * its range, which ends where cos^n rounds to code 0. */
+/* Exact to 8 bits: a highlight of intensity 1 is at most one code off, and off at most at a tenth
+ * of its range, which ends where cos^n rounds to code 0. */
 static void check_composite_display(void) {
     const double end = log(2 * 255 * 12.92);
     double most = 0;

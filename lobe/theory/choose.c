@@ -13,7 +13,7 @@ burnish_theory_cost burnish_theory_model_cost(const burnish_theory_model *model)
             ++cost.multiplications;
         }
         break;
-    case BURNISH_LOBE_COMPOSITE: /* top - slope lambda, max, a square, and a sum and a product per step */
+    case BURNISH_LOBE_COMPOSITE: /* top - slope lambda, max, a square, v (v + offset) */
         cost.multiplications = model->steps + 2;
         cost.additions = model->steps + 1;
         break;

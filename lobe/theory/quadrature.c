@@ -1,5 +1,5 @@
-/* Adaptive Gauss-Kronrod quadrature, 7 and 15 points, and Gauss-Legendre rules. Source of the rule: Kronrod 1965; of
- * its constants: QUADPACK (Piessens et al. 1983). */
+/* Adaptive Gauss-Kronrod quadrature, 7 and 15 points, and Gauss-Legendre rules. Source of the rule:
+ * Kronrod 1965; of its constants: QUADPACK (Piessens et al. 1983). */
 #include <math.h>
 
 #include "theory/internal.h"

@@ -1,4 +1,5 @@
-/* Area lights as polygons, spheres and tubes, and a GGX highlight of a given alpha as a sum of lobes. */
+/* Area lights as polygons, spheres and tubes, and a GGX highlight of a given alpha as a sum of
+ * lobes. */
 #ifndef BURNISH_ENVIRONMENT_AREA_LIGHTS_H
 #define BURNISH_ENVIRONMENT_AREA_LIGHTS_H
 
@@ -33,9 +34,9 @@ static inline int burnish_area_is_flat(const burnish_area_light *light) {
 /* Of a sphere or line. */
 double burnish_area_radius(const burnish_area_light *light);
 
-/* The polygon, sphere or tube of a light, distant if the light is, in the light's space; a disc is a polygon of the
- * same area. Returns 0 if the light shines on nothing: it is seen from its edge, or is so small,
- * large or far away that single precision cannot hold it.
+/* The polygon, sphere or tube of a light, distant if the light is, in the light's space; a disc is
+ * a polygon of the same area. Returns 0 if the light shines on nothing: it is seen from its edge,
+ * or is so small, large or far away that single precision cannot hold it.
  *   lobes  NULL: only diffuse light is wanted */
 int burnish_area_polygon(const burnish_area_light *light, const burnish_light_lobes *lobes,
                          burnish_polygon_constants *polygon);

@@ -268,9 +268,10 @@ BURNISH_INLINE vf environment_polynomial(const float *coefficients, int count, v
     return value;
 }
 
-/* What GGX (Smith, heights correlated) does not reflect of uniform light if F = 1, and what it reflects
- * if F = (1 - V.H)^5. Fitted to sums over 160,000 visible normals: from N.V = 0.05 on `lost` is within
- * 0.013 (0.007 up to roughness 0.4) and `edge` within 0.015. shaders/burnish.shade has the same. */
+/* What GGX (Smith, heights correlated) does not reflect of uniform light if F = 1, and what it
+ * reflects if F = (1 - V.H)^5. Fitted to sums over 160,000 visible normals: from N.V = 0.05 on
+ * `lost` is within 0.013 (0.007 up to roughness 0.4) and `edge` within 0.015. shaders/burnish.shade
+ * has the same. */
 BURNISH_INLINE void environment_albedo(vf roughness, vf n_dot_v, vf *lost, vf *edge) {
     static const float widths[4][4] = {{0.0902f, -1.6499f, 16.1298f, -30.1591f},
                                        {-1.2358f, -12.2444f, -3.6416f, 92.1318f},
@@ -313,9 +314,9 @@ BURNISH_INLINE void environment_reflectance(const environment_material *material
 }
 
 /* kd D + (F0 A + B) Spec, and for metallic-roughness the light of several reflections, kd being
- * what is not reflected; Phong's kd is at most that. Spec's lobes end where GGX's tails go on: these are
- * diffuse light instead, a share of 0.8 roughness^3 (fitted to walks on rough metal under near and
- * distant lights and a window). */
+ * what is not reflected; Phong's kd is at most that. Spec's lobes end where GGX's tails go on:
+ * these are diffuse light instead, a share of 0.8 roughness^3 (fitted to walks on rough metal under
+ * near and distant lights and a window). */
 BURNISH_INLINE void environment_color(const environment_material *material, int is_metallic,
                                       const vf once[3], const vf again[3], const vf diffuse[3],
                                       const vf specular[3], vf out[3]) {

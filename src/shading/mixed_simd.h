@@ -1,7 +1,7 @@
 /* The lighting equation over vectors of points of several materials, for directional lights and a
- * distant viewer where all lobes are the family's of one order, or composites with as many products.
- * A point's sums have the order of shade_simd.h, so they have the bits of its own material's
- * kernel. */
+ * distant viewer where all lobes are the family's of one order, or composites with as many
+ * products. A point's sums have the order of shade_simd.h, so they have the bits of its own
+ * material's kernel. */
 #ifndef BURNISH_SHADING_MIXED_SIMD_H
 #define BURNISH_SHADING_MIXED_SIMD_H
 

@@ -1,5 +1,5 @@
-/* A polygonal light, sphere or tube and its lobes, with everything worked out that does not depend on
- * the point. */
+/* A polygonal light, sphere or tube and its lobes, with everything worked out that does not depend
+ * on the point. */
 #ifndef BURNISH_SHADING_POLYGON_H
 #define BURNISH_SHADING_POLYGON_H
 

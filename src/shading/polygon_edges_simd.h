@@ -212,7 +212,8 @@ BURNISH_INLINE vf polygon_powers(int squarings, vf u, vf *power) {
     return vf_add(sum, *power);
 }
 
-/* 1 + u + ... + u^m. A composite is a sum of even powers, with weights by their energies: so is this. */
+/* 1 + u + ... + u^m. A composite is a sum of even powers, with weights by their energies: so is
+ * this. */
 BURNISH_INLINE vf polygon_sum(const burnish_polygon_lobe *lobe, vf u) {
     const vf w = vf_mul(u, u);
     vf sum;

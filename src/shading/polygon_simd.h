@@ -1,5 +1,5 @@
-/* The light of polygons, spheres and tubes over vectors of points: a point and its lobes in the frame in
- * which the edges are integrated. */
+/* The light of polygons, spheres and tubes over vectors of points: a point and its lobes in the
+ * frame in which the edges are integrated. */
 #ifndef BURNISH_SHADING_POLYGON_SIMD_H
 #define BURNISH_SHADING_POLYGON_SIMD_H
 
@@ -247,7 +247,8 @@ BURNISH_INLINE void polygon_begin_sums(const burnish_polygon_constants *polygon,
     }
 }
 
-/* Adds the circle of a cap, and makes the edge where the horizon cuts it. Returns the number of edges. */
+/* Adds the circle of a cap, and makes the edge where the horizon cuts it. Returns the number of
+ * edges. */
 BURNISH_INLINE int polygon_add_circle(const burnish_polygon_constants *polygon,
                                       const round_cap *cap, const vf frame[3][3], polygon_point *at,
                                       polygon_sums *sums, polygon_edge *edge) {

@@ -1,5 +1,5 @@
-/* Spheres as caps of directions: their diffuse light, and the contour integral of polygon_edges_simd.h
- * along a small circle.
+/* Spheres as caps of directions: their diffuse light, and the contour integral of
+ * polygon_edges_simd.h along a small circle.
  *
  * A cap has the unit vector d as its middle and the half angle b; the lobe's axis is at the angle a
  * from d, and the circle's point nearest to it at t = 0. With s = sin(t/2)
@@ -9,8 +9,8 @@
  *
  * The horizon cuts the circle at two points at most; an edge between them closes the contour.
  *
- * Largest error of 84,000 random caps, as shares of the lobe: 1.4e-5 for zeta up to 200, 3.5e-5 up to
- * 20000; of diffuse light 8.1e-8 (test_round --trials 2000). */
+ * Largest error of 84,000 random caps, as shares of the lobe: 1.4e-5 for zeta up to 200, 3.5e-5 up
+ * to 20000; of diffuse light 8.1e-8 (test_round --trials 2000). */
 #ifndef BURNISH_SHADING_ROUND_SIMD_H
 #define BURNISH_SHADING_ROUND_SIMD_H
 
@@ -21,8 +21,8 @@ typedef struct round_cap {
     vf middle[3], sine, cosine; /* d; of b */
 } round_cap;
 
-/* 1/pi of the cosine's integral over the part of a cap above the horizon; facing = N.d. The cut cap:
- * Lagarde and de Rousiers, Moving Frostbite to Physically Based Rendering, 2014. */
+/* 1/pi of the cosine's integral over the part of a cap above the horizon; facing = N.d. The cut
+ * cap: Lagarde and de Rousiers, Moving Frostbite to Physically Based Rendering, 2014. */
 BURNISH_INLINE vf round_diffuse(const round_cap *cap, vf facing) {
     const vf zero = vf_set(0.0f), one = vf_set(1.0f), least = vf_set(0x1p-60f);
     const vf squared = vf_mul(cap->sine, cap->sine), whole = vf_mul(facing, squared);

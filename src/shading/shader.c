@@ -76,9 +76,12 @@ burnish_status burnish_lobe_constants_make(const burnish_lobe_spec *lobe, float 
         [BURNISH_LOBE_GAUSSIAN] = BURNISH_LOBE_BODY_GAUSSIAN,
         [BURNISH_LOBE_GX] = BURNISH_LOBE_BODY_GX,
     };
-    const burnish_lobe_spec exact = burnish_lobe_exact(exponent);
+    burnish_lobe_spec exact;
     const float n = exponent;
-    lobe = lobe->kind == BURNISH_LOBE_EXACT ? &exact : lobe;
+    if (lobe->kind == BURNISH_LOBE_EXACT) {
+        exact = burnish_lobe_exact(exponent);
+        lobe = &exact;
+    }
     memset(constants, 0, sizeof *constants);
     constants->body = BURNISH_LOBE_BODY_NONE;
     constants->top = 1.0f;
@@ -232,8 +235,8 @@ static void fold_light(const burnish_kernels_lighting *lighting, const burnish_m
     }
 }
 
-/* Below this cosine lobes with a base are dark whatever the rounding: 1e-5 is ten times what the cosine of
- * a point can be off. */
+/* Below this cosine lobes with a base are dark whatever the rounding: 1e-5 is ten times what the
+ * cosine of a point can be off. */
 static float find_cutoff(const burnish_lobe_constants *lobe) {
     double cutoff = lobe->zeta > 0.0f ? 1.0 - (double)lobe->top / (double)lobe->zeta - 1e-5 : -1.0;
     return cutoff > 0.0 ? (float)cutoff : -1.0f;

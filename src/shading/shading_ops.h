@@ -31,8 +31,8 @@ struct burnish_kernels {
                                                 size_t count, float *const rgb[3]);
 
     /* The lighting of count points of the materials `materials`, as `shade` of each has it: directional lights
-     * and a distant viewer. Every lobe is the family's of one order, or 0, or a composite with as many products; the other
-     * bodies are NULL. Reads
+     * and a distant viewer. Every lobe is the family's of one order, or 0, or a composite with as
+     * many products; the other bodies are NULL. Reads
      * and writes whole vectors. [1]: all materials have one lobe and specular colour. */
     void (*shade_mixed[BURNISH_LOBE_BODY_COUNT][2])(const burnish_kernels_shader *shaders,
                                                     const int32_t *materials,

@@ -41,16 +41,6 @@ static void set_phong(burnish_mesh *mesh, float diffuse, float specular, float e
     set_material(mesh, &material);
 }
 
-static void set_metal(burnish_mesh *mesh, float metallic, float roughness) {
-    burnish_material material = burnish_material_default();
-    set_three(material.diffuse, 1);
-    set_three(material.reflectance, 0.04f);
-    material.has_diffuse = material.is_metallic = 1;
-    material.metallic = metallic;
-    material.roughness = roughness;
-    set_material(mesh, &material);
-}
-
 /* In uniform light of 1 everything white is 1: nothing is lost and nothing is added. */
 static void test_furnace(burnish_mesh *mesh) {
     burnish_render_options options = dark_options(0);

@@ -199,16 +199,6 @@ static void compare(int light, double f0, double roughness, errors *e) {
     }
 }
 
-static void set_metal(burnish_mesh *mesh, float metallic, float roughness) {
-    burnish_material material = burnish_material_default();
-    set_three(material.diffuse, 1);
-    set_three(material.reflectance, 0.04f);
-    material.has_diffuse = material.is_metallic = 1;
-    material.metallic = metallic;
-    material.roughness = roughness;
-    set_material(mesh, &material);
-}
-
 /* Most RMS for metal; the bias is the mean of both shapes. */
 static void test_light(burnish_mesh *const meshes[SHAPES], int light, double most,
                        burnish_environment *environment) {

@@ -1,5 +1,5 @@
-/* Spheres and tubes: values against integrals in double precision over circles around a lobe's axis, flat
- * polygons and points of a cylinder; bits on all instruction sets; refused arguments.
+/* Spheres and tubes: values against integrals in double precision over circles around a lobe's
+ * axis, flat polygons and points of a cylinder; bits on all instruction sets; refused arguments.
  *
  * --trials 3000 tries more lights and prints the largest errors. */
 #include <math.h>
@@ -319,7 +319,8 @@ static void test_cylinder(void) {
 
 /* ---- Instruction sets ---- */
 
-/* Every length, and each point alone on the scalar kernel, whose bits are those of every processor. */
+/* Every length, and each point alone on the scalar kernel, whose bits are those of every processor.
+ * */
 #define SCALAR_HASH 0x679fc864b9afcc48u
 
 static void run(const burnish_kernels *kernels, const burnish_kernels_polygon *light,

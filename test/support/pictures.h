@@ -129,4 +129,15 @@ static inline void set_material(burnish_mesh *mesh, const burnish_material *mate
     CHECK_OK(burnish_mesh_set_material(mesh, 0, material, &error), error);
 }
 
+/* White, metallic-roughness. */
+static inline void set_metal(burnish_mesh *mesh, float metallic, float roughness) {
+    burnish_material material = burnish_material_default();
+    set_three(material.diffuse, 1);
+    set_three(material.reflectance, 0.04f);
+    material.has_diffuse = material.is_metallic = 1;
+    material.metallic = metallic;
+    material.roughness = roughness;
+    set_material(mesh, &material);
+}
+
 #endif

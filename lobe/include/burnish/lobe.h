@@ -296,8 +296,8 @@ static inline float burnish_lobe_cutoff_cosine(burnish_lobe lobe) {
  * 3. For display, 5 multiplications give another 8-bit sRGB code at 9 % of the range at most, and
  * never one that differs by more than 1, for every n from 8 on.
  *
- * While n grows, lobes jump where it passes to other constants or an exact product: by at most .0034
- * at n = 4, .00087 at 8 and .00033 above. */
+ * While n grows, lobes jump where it passes to other constants or an exact product: by at most
+ * .0034 at n = 4, .00087 at 8 and .00033 above. */
 
 /* The error that the constants make least. */
 typedef enum burnish_composite_aim {
@@ -628,9 +628,9 @@ static inline float burnish_lyon_at_vectors(const float n[3], const float h[3], 
 
 /* ---- Exponentials -------------------------------------------------------------------------------
  *
- * e^-x for x >= 0 with 3, 4 or 5 multiplications and an exact end, for Gaussian splats, fog and soft
- * shadows: the limit of the composite lobes for large exponents. The constants minimise the largest
- * absolute error over all x >= 0, and are rounded to keep the exact 1 and 0 with fused
+ * e^-x for x >= 0 with 3, 4 or 5 multiplications and an exact end, for Gaussian splats, fog and
+ * soft shadows: the limit of the composite lobes for large exponents. The constants minimise the
+ * largest absolute error over all x >= 0, and are rounded to keep the exact 1 and 0 with fused
  * multiply-adds, too.
  *
  *     multiplications  largest error  relative to e^-x, x <= 1  x <= 2   x <= 3   e^-END

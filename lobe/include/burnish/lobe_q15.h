@@ -63,8 +63,8 @@
  * n = 15 by at most 70.
  *
  * What it does not do. It does not shade: see shade_q15.h. Only composites are near cos^n;
- * docs/theory.md has the difference of the others. Rounding a cosine to 15 bits costs a narrow lobe n/256 steps
- * of an 8-bit result, so from n = 128 on prefer the functions that take lambda.
+ * docs/theory.md has the difference of the others. Rounding a cosine to 15 bits costs a narrow lobe
+ * n/256 steps of an 8-bit result, so from n = 128 on prefer the functions that take lambda.
  *
  * Sources. See lobe.h; the shift by 7/16 and the boundary memory come from the paper that burnish
  * implements (docs/theory.md).

@@ -102,8 +102,8 @@ BURNISH_API burnish_status burnish_lobe_spec_check(const burnish_lobe_spec *lobe
  * code more or less than c^n, and the same code over at least nine tenths of its range.
  *   exponent  [1, 65536]
  * Returns INTEGER_POWER for integers with a product of at most 5 multiplications (its order), such
- * as 1 to 14, 16 and 32; composite display:5 from 8 on, which differs at 9 % of the range at most; POWER for the
- * rest. */
+ * as 1 to 14, 16 and 32; composite display:5 from 8 on, which differs at 9 % of the range at most;
+ * POWER for the rest. */
 BURNISH_API burnish_lobe_spec burnish_lobe_exact(float exponent);
 
 /* Computes the slope zeta and the scale (value at the peak) of a lobe

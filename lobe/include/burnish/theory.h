@@ -89,8 +89,8 @@ typedef struct burnish_theory_model {
  *   model     receives the model, on error cos^1; not NULL
  *   lobe      any but INTEGER_POWER; may be a member of model; not NULL
  *   exponent  n: [1, 65536]; for FAMILY and LYON as for burnish_lobe_solve
- * Errors: as for burnish_lobe_solve; ERROR_COMPOSITE; ERROR_FIT for another kind, ERROR_EXPONENT, ERROR_ORDER for a
- * table's number of entries. */
+ * Errors: as for burnish_lobe_solve; ERROR_COMPOSITE; ERROR_FIT for another kind, ERROR_EXPONENT,
+ * ERROR_ORDER for a table's number of entries. */
 BURNISH_THEORY_API burnish_lobe_status burnish_theory_model_create(burnish_theory_model *model,
                                                                    const burnish_lobe_spec *lobe,
                                                                    double exponent);
@@ -212,9 +212,9 @@ typedef enum burnish_theory_measure {
 } burnish_theory_measure;
 
 /* The integral of the lobe, in steradians. Closed forms for family, composites (cut off at c = 0 if
- * zeta < 1), power, gaussian and tables, adaptive Gauss-Kronrod for the others. Relative error below 1e-11.
- * Family: 2 pi / (zeta (m+1)) and, for zeta >= 1, 2 pi (zeta (m+2) - 1) / (zeta^2 (m+1)(m+2));
- * power: 2 pi / (n+1), 2 pi / (n+2). */
+ * zeta < 1), power, gaussian and tables, adaptive Gauss-Kronrod for the others. Relative error
+ * below 1e-11. Family: 2 pi / (zeta (m+1)) and, for zeta >= 1,
+ * 2 pi (zeta (m+2) - 1) / (zeta^2 (m+1)(m+2)); power: 2 pi / (n+1), 2 pi / (n+2). */
 BURNISH_THEORY_API double burnish_theory_integral(const burnish_theory_model *model,
                                                   burnish_theory_measure measure);
 
@@ -321,8 +321,8 @@ BURNISH_THEORY_API double burnish_theory_cap(const burnish_theory_powers *lobe,
 
 /* A thin cylinder: the integral along a segment of S sin(psi) / distance^2, psi being the angle
  * between the segment and the view of its points. The cylinder's brightness is this times its
- * diameter. Error below 1e-12 of S(1) times the lobe's angle of zero, divided by the distance of the
- * line, unless both ends are far from the foot of the perpendicular.
+ * diameter. Error below 1e-12 of S(1) times the lobe's angle of zero, divided by the distance of
+ * the line, unless both ends are far from the foot of the perpendicular.
  *   ends  two points, seen from the origin; 0 if they are in one direction */
 BURNISH_THEORY_API double burnish_theory_segment(const burnish_theory_powers *lobe,
                                                  const double axis[3], const double *normal,

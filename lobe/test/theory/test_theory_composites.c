@@ -213,7 +213,7 @@ static void check_bad_input(void) {
 
 /* ---- The limit n -> infinity ---- */
 
-/* zeta/n and b of the least error against e^-x, from scripts/composites.c; docs/theory.md has them. */
+/* zeta/n and b of the least error against e^-x, from scripts/composites.c, as in docs/theory.md. */
 static const struct limit {
     int steps, extremes;
     double zeta, b[4], error;

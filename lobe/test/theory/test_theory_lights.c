@@ -196,8 +196,8 @@ static double whole(const burnish_theory_powers *lobe) {
 
 /* ---- Caps ---- */
 
-/* Caps of any size, and of the lobe's; around it, inside, across its rim, and disjoint. Returns 1 for
- * caps well within the lobe. */
+/* Caps of any size, and of the lobe's; around it, inside, across its rim, and disjoint. Returns 1
+ * for caps well within the lobe. */
 static int random_cap(const double axis[3], double zeta, double centre[3], double *angle) {
     double rim = (double)support(zeta), kind = uniform(0, 4), away;
     *angle = kind < 1 ? uniform(0, (double)PI) : fmin(spread(1e-7, 3) * rim, (double)PI);
@@ -279,8 +279,8 @@ static double by_angles(const burnish_theory_powers *lobe, const double axis[3],
     return at[0] < at[1] ? (double)integrate(seen, &l, breaks, count) : 0;
 }
 
-/* A segment that starts at a point near the lobe, or runs through it. If both ends are far away, the
- * line's place at the point rests on few of their digits. */
+/* A segment that starts at a point near the lobe, or runs through it. If both ends are far away,
+ * the line's place at the point rests on few of their digits. */
 static void random_ends(const double axis[3], double zeta, double ends[2][3]) {
     double point[3], along[3], size = spread(1e-3, 1e3);
     double before = uniform(0, 1) < 0.5 ? uniform(0, 1) : 0;

@@ -1,4 +1,5 @@
-/* From normals straight to sRGB codes: directional lights, a distant viewer, lobes of the family and composites.
+/* From normals straight to sRGB codes: directional lights, a distant viewer, lobes of the family
+ * and composites.
  *
  * The pixels of a flat face mostly have one code, though not one colour: in perspective a normal is
  * interpolated times 1/w, and rounding gives it other directions. Normals that point the way of an
