@@ -199,8 +199,8 @@ BURNISH_API burnish_status burnish_kernels_shade_float(const burnish_kernels *ke
  * weight.
  *
  * A sphere is a cap of directions. A tube is the strip between its two tangent planes through the
- * point, and its ends are open. A point inside is lit nearly as on the surface,
- * from the side of the centre or axis.
+ * point, and its ends are open. A point inside is lit nearly as on the surface, from the side of
+ * the centre or axis.
  *
  * Accuracy over random lights: diffuse 3e-7; specular, relative to the weight, 5e-5 for zeta >= 1
  * and 2e-4 below. With a stretch, a sphere is a polygon of 16 corners. */

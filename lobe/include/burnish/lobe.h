@@ -327,7 +327,9 @@ static inline burnish_lobe_status burnish_composite_check(burnish_composite_aim 
 }
 
 /* The constants of exponents from `least` to that of the row above. Below the last of its rows, a
- * number of multiplications has no better lobe than fewer have. */
+ * number of multiplications has no better lobe than fewer have. A row was fitted from the best
+ * constants of single exponents by Levenberg's method, which lowered the p-norm of the error over
+ * all exponents of the row for growing p; test_lobe measures the errors that are left. */
 typedef struct burnish_composite_piece {
     struct {
         int multiplications;
