@@ -271,6 +271,7 @@ typedef struct burnish_mesh_description {
                                           generated */
     burnish_array colors;              /* 4 bytes per vertex: sRGB and alpha */
     burnish_array texture_coordinates; /* 2 floats per vertex, finite */
+    burnish_array second_coordinates;  /* the same, for textures with coordinates 1 */
     burnish_array tangents;            /* 4 floats per vertex, finite: burnish_mesh_view */
     burnish_array indices; /* 3 vertex numbers per triangle, one after another; none: every three
                               vertices are a triangle */
@@ -337,6 +338,7 @@ typedef struct burnish_mesh_view {
     const uint8_t *colors;            /* 4 per vertex, sRGB and alpha; NULL: none */
     int has_transparent_colors;       /* 1: an alpha value is below 255 */
     const float *texture_coordinates; /* 2 per vertex; NULL: none */
+    const float *second_coordinates;  /* the same; NULL unless a texture has coordinates 1 */
     const float *tangents;            /* 4 per vertex: a unit vector perpendicular to the normal, in
                               direction of u, and the sign s of the bitangent
                               s cross(normal, tangent), in direction of v. NULL unless a

@@ -42,6 +42,7 @@ typedef struct burnish_texture_use {
     int texture;        /* 1 + number of the texture in the mesh; 0: no texture */
     int wrap[2];        /* burnish_texture_wrap of u and v */
     int is_nearest;     /* 1: the nearest texel, for pixel art; 0: filtered */
+    int coordinates;    /* 0: the mesh's texture_coordinates; 1: second_coordinates. NORMAL: 0 */
     int has_transform;  /* 1: u' = t0 u + t1 v + t2, v' = t3 u + t4 v + t5 */
     float transform[6]; /* finite */
     float strength;     /* NORMAL: factor of x and y; OCCLUSION: 0 none to 1 full. Not used for

@@ -87,6 +87,7 @@ static burnish_status check_arrays(const creation *c) {
         {&from->normals, "normals", 12, c->vertex_count, "vertex"},
         {&from->colors, "colors", 4, c->vertex_count, "vertex"},
         {&from->texture_coordinates, "texture_coordinates", 8, c->vertex_count, "vertex"},
+        {&from->second_coordinates, "second_coordinates", 8, c->vertex_count, "vertex"},
         {&from->tangents, "tangents", 16, c->vertex_count, "vertex"},
         {&from->indices, "indices", (size_t)from->index_size, 3 * c->triangle_count, "corner"},
         {&from->triangle_materials, "triangle_materials", 2, c->triangle_count, "triangle"}};
@@ -294,6 +295,7 @@ static burnish_status copy_arrays(creation *c, const burnish_load_options *optio
     copy_stream(c, BURNISH_COLOR, &from->colors);
     copy_stream(c, BURNISH_TEXCOORD, &from->texture_coordinates);
     copy_stream(c, BURNISH_TANGENT, &from->tangents);
+    copy_stream(c, BURNISH_TEXCOORD2, &from->second_coordinates);
     burnish_status status = copy_indices(c);
     if (status == BURNISH_STATUS_OK) {
         status = copy_materials(c);
@@ -306,6 +308,9 @@ static burnish_status copy_arrays(creation *c, const burnish_load_options *optio
     }
     if (status == BURNISH_STATUS_OK) {
         status = check_finite(c, BURNISH_TANGENT, 4, "tangents");
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_finite(c, BURNISH_TEXCOORD2, 2, "second_coordinates");
     }
     if (status == BURNISH_STATUS_OK) {
         status = copy_textures(c, options);

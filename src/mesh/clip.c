@@ -125,6 +125,10 @@ static uint32_t add_cut_point(cutter *cut, uint32_t kept, uint32_t beyond) {
         mix_values(view->texture_coordinates + 2 * a, view->texture_coordinates + 2 * b, t, 2,
                    (float *)cut->attributes[BURNISH_TEXCOORD] + 2 * at);
     }
+    if (view->second_coordinates) {
+        mix_values(view->second_coordinates + 2 * a, view->second_coordinates + 2 * b, t, 2,
+                   (float *)cut->attributes[BURNISH_TEXCOORD2] + 2 * at);
+    }
     if (view->tangents) { /* both ends have one sign: a mirrored seam has two vertices */
         float *tangent = (float *)cut->attributes[BURNISH_TANGENT] + 4 * at;
         mix_normals(view->tangents + 4 * a, view->tangents + 4 * b, t, tangent);

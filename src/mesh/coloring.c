@@ -168,7 +168,8 @@ static void replace_materials(burnish_mesh *mesh, int has_texture) {
     burnish_release(mesh->context, mesh->triangle_materials);
     mesh->triangle_materials = NULL;
     burnish_release(mesh->context, mesh->attributes[BURNISH_TANGENT]);
-    mesh->attributes[BURNISH_TANGENT] = NULL;
+    burnish_release(mesh->context, mesh->attributes[BURNISH_TEXCOORD2]);
+    mesh->attributes[BURNISH_TANGENT] = mesh->attributes[BURNISH_TEXCOORD2] = NULL;
 }
 
 static burnish_status check_coloring(const burnish_mesh *mesh, const burnish_coloring *coloring,

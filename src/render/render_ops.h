@@ -11,7 +11,7 @@
 #include "simd/isa.h"
 
 /* Normal, colour, position, w, first light, x, y, and BURNISH_TEXTURE_STREAMS. */
-enum { BURNISH_BATCH_STREAMS = 13 + 12 };
+enum { BURNISH_BATCH_STREAMS = 13 + 18 };
 
 /* Without a lobe, and the family's two: the first of burnish_lobe_body. */
 enum { BURNISH_CODE_BODIES = 4 };

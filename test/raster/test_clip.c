@@ -151,13 +151,21 @@ static void test_attributes(void) {
     static const uint8_t colors[12] = {0, 0, 0, 255, 255, 255, 255, 55, 0, 0, 0, 255};
     static const uint16_t triangle_materials[1] = {1};
     static const uint32_t faces[3] = {0, 1, 2};
-    const burnish_material materials[2] = {{.exponent = 1}, {.exponent = 2}};
+    static const float coordinates2[6] = {1, 0, 0, 0, 1, 1};
+    static const uint8_t texel[4] = {255, 255, 255, 255};
+    const burnish_texture texture = {NULL, 1, 1, texel, 1};
+    burnish_material materials[2] = {{.exponent = 1}, {.exponent = 2}};
     burnish_load_options options = burnish_load_options_default();
     burnish_mesh_description arrays = describe_arrays(positions, normals, colors, 3, faces, 1);
     arrays.texture_coordinates = (burnish_array){coordinates, 3, 0};
+    arrays.second_coordinates = (burnish_array){coordinates2, 3, 0};
     arrays.triangle_materials = (burnish_array){triangle_materials, 1, 0};
     arrays.materials = materials;
     arrays.material_count = 2;
+    arrays.textures = &texture;
+    arrays.texture_count = 1;
+    materials[0].textures[BURNISH_TEXTURE_COLOR].texture = 1;
+    materials[0].textures[BURNISH_TEXTURE_COLOR].coordinates = 1;
     options.keep_texture_coordinates = 1;
     burnish_mesh *mesh = create_mesh(&arrays, &options);
     cut_mesh(mesh, 1, 0, 0, 1);
@@ -173,6 +181,8 @@ static void test_attributes(void) {
         CHECK(fabs(length - 1) < 1e-6, "normal %g", length);
         CHECK1(fabsf(view->texture_coordinates[2 * i] - p[0] / 4) < 1e-6f);
         CHECK1(fabsf(view->texture_coordinates[2 * i + 1] - p[1] / 4) < 1e-6f);
+        CHECK1(fabsf(view->second_coordinates[2 * i] - (1 - p[0] / 4)) < 1e-6f);
+        CHECK1(fabsf(view->second_coordinates[2 * i + 1] - p[1] / 4) < 1e-6f);
         if (p[0] == 1 && p[1] == 0) { /* a quarter of white in linear light, and of alpha */
             CHECK(view->colors[4 * i] == 137 && view->colors[4 * i + 3] == 205, "%d, %d",
                   view->colors[4 * i], view->colors[4 * i + 3]);

@@ -402,6 +402,54 @@ static void test_alpha(void) {
     }
 }
 
+/* Two squares of two materials. With coordinates 1, where v is u and u is v, the left one's colour,
+ * which also masks, is what it is with the first coordinates and a transform that swaps them. Its
+ * emission stays where it is. */
+static void test_second_coordinates(void) {
+    static const float places[] = {-1, -1, 0, 0, -1, 0, 0, 1, 0, -1, 1, 0,
+                                   0,  -1, 0, 1, -1, 0, 1, 1, 0, 0,  1, 0};
+    static const float first[] = {0, 0, 1, 0, 1, 1, 0, 1, 0, 0, 1, 0, 1, 1, 0, 1};
+    static const float second[] = {0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1, 0};
+    static const uint16_t numbers[] = {0, 0, 1, 1};
+    static float pixels[2][SIZE * SIZE * 4];
+    uint8_t texels[4 * 6 * 5];
+    const burnish_texture texture = {"random", 6, 5, texels, 1};
+    fill_random(texels, 30, 4);
+    for (int i = 0; i < 30; i += 4) {
+        texels[4 * i + 3] = 0;
+    }
+    for (int mode = 0; mode < 4; ++mode) {
+        for (int way = 0; way < 2; ++way) {
+            scene s;
+            burnish_mesh_description arrays = describe_quads(places, NULL, 2);
+            burnish_material materials[2] = {matt_material(1), matt_material(1)};
+            const burnish_texture_use swapped = {.texture = 1,
+                                                 .is_nearest = mode / 2,
+                                                 .coordinates = way,
+                                                 .has_transform = !way,
+                                                 .transform = {0, !way, 0, !way, 0, 0}};
+            materials[0].alpha_mode = mode % 2 ? BURNISH_ALPHA_MASK : BURNISH_ALPHA_BLEND;
+            materials[0].alpha_cutoff = 0.5f;
+            materials[0].emissive[0] = 0.5f;
+            materials[0].textures[BURNISH_TEXTURE_COLOR] = swapped;
+            materials[0].textures[BURNISH_TEXTURE_EMISSIVE].texture = 1;
+            materials[1].textures[BURNISH_TEXTURE_COLOR].texture = 1;
+            give_materials(&arrays, materials, 2);
+            give_textures(&arrays, first, &texture, 1);
+            arrays.triangle_materials = (burnish_array){numbers, 4, 0};
+            arrays.second_coordinates = (burnish_array){second, 8, 0};
+            s.mesh = create_mesh(&arrays, NULL);
+            s.options = front_options(SIZE, SIZE, 2);
+            s.options.samples = 4;
+            light_evenly(&s.options);
+            CHECK1(!burnish_mesh_get_view(s.mesh)->second_coordinates == !way);
+            draw_floats(s.mesh, &s.options, pixels[way], NULL);
+            close_scene(&s);
+        }
+        CHECK(memcmp(pixels[0], pixels[1], sizeof pixels[0]) == 0, "mode %d", mode);
+    }
+}
+
 /* ---- Tangents ---- */
 
 /* Two squares side by side, the right one's image mirrored: the seam's vertices part. */
@@ -484,6 +532,16 @@ static void test_refused(void) {
     material.textures[BURNISH_TEXTURE_COLOR].wrap[1] = 3;
     CHECK1(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_ARGUMENT);
     material.textures[BURNISH_TEXTURE_COLOR].wrap[1] = 0;
+    material.textures[BURNISH_TEXTURE_COLOR].coordinates = 2;
+    CHECK1(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(error.text, "materials[0]: textures[color].coordinates is 2; expected 0 or 1");
+    material.textures[BURNISH_TEXTURE_COLOR].coordinates = 1;
+    mesh = create_mesh(&arrays, &load);
+    CHECK1(burnish_mesh_get_warning_count(mesh) == 1 &&
+           burnish_mesh_get_material(mesh, 0)->textures[BURNISH_TEXTURE_COLOR].texture == 0);
+    CHECK1(burnish_mesh_set_material(mesh, 0, &material, &error) == BURNISH_STATUS_ARGUMENT);
+    burnish_mesh_destroy(mesh);
+    material.textures[BURNISH_TEXTURE_COLOR].coordinates = 0;
     texture.height = BURNISH_TEXTURE_SIZE_MAX + 1;
     CHECK1(burnish_mesh_create(&arrays, &load, &mesh, &error) == BURNISH_STATUS_ARGUMENT);
     texture.height = 1;
@@ -506,6 +564,7 @@ int main(int count, char **arguments) {
     RUN(test_normal_map());
     RUN(test_factors());
     RUN(test_alpha());
+    RUN(test_second_coordinates());
     RUN(test_tangents());
     RUN(test_emissive_threads());
     RUN(test_refused());

@@ -21,6 +21,21 @@ static int uses_texture(const burnish_mesh_data *data, int slot) {
     return 0;
 }
 
+/* Textures with coordinates that the mesh lacks are dropped. Returns how many use the second. */
+static size_t settle_second(burnish_mesh_data *data) {
+    const int has_second = data->streams[BURNISH_TEXCOORD2].count > 0;
+    size_t count = 0;
+    for (size_t i = 0; i < data->material_count * BURNISH_TEXTURE_SLOT_COUNT; ++i) {
+        burnish_texture_use *use = &data->materials[i / BURNISH_TEXTURE_SLOT_COUNT]
+                                        .textures[i % BURNISH_TEXTURE_SLOT_COUNT];
+        count += use->coordinates != 0;
+        if (use->coordinates && !has_second) {
+            memset(use, 0, sizeof *use);
+        }
+    }
+    return count;
+}
+
 static void drop_uses(burnish_mesh_data *data) {
     for (size_t i = 0; i < data->material_count; ++i) {
         memset(data->materials[i].textures, 0, sizeof data->materials[i].textures);
@@ -47,6 +62,16 @@ void burnish_build_prepare_textures(burnish_builder *b, const burnish_load_optio
         data->point_count > 0) {
         drop_uses(data);
         any = 0;
+    }
+    const size_t second = settle_second(data);
+    if (second == 0) {
+        burnish_mesh_data_drop(data, BURNISH_TEXCOORD2);
+    } else if (data->streams[BURNISH_TEXCOORD2].count == 0) {
+        burnish_mesh_data_warn(data,
+                               "%s: %zu texture%s not drawn, as the mesh has no second set of "
+                               "texture coordinates",
+                               burnish_show_name(b->name).text, second,
+                               second == 1 ? " is" : "s are");
     }
     if (!any && !options->keep_texture_coordinates) {
         burnish_mesh_data_drop(data, BURNISH_TEXCOORD);

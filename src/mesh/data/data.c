@@ -41,11 +41,12 @@ void burnish_mesh_data_destroy(burnish_mesh_data *mesh) {
     *mesh = (burnish_mesh_data){.memory = mesh->memory, .tasks = mesh->tasks, .start = mesh->start};
 }
 
-static const char *const item_names[BURNISH_ATTRIBUTE_COUNT] = {"positions", "normals", "colours",
-                                                                "texture coordinates", "tangents"};
+static const char *const item_names[BURNISH_ATTRIBUTE_COUNT] = {
+    "positions", "normals", "colours", "texture coordinates", "tangents", "texture coordinates"};
 static const char *const corner_names[BURNISH_ATTRIBUTE_COUNT] = {
-    "triangles", "normal indices", "colour indices", "texture coordinate indices",
-    "tangent indices"};
+    "triangles",       "normal indices",
+    "colour indices",  "texture coordinate indices",
+    "tangent indices", "texture coordinate indices"};
 
 burnish_status burnish_mesh_data_reserve(burnish_mesh_data *mesh, burnish_attribute attribute,
                                          size_t count) {

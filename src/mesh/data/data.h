@@ -21,18 +21,19 @@
 
 /* The attributes of a vertex. */
 typedef enum burnish_attribute {
-    BURNISH_POSITION, /* 3 floats, finite */
-    BURNISH_NORMAL,   /* 3 floats of any length, possibly 0 or not finite */
-    BURNISH_COLOR,    /* 4 bytes: sRGB and alpha */
-    BURNISH_TEXCOORD, /* 2 floats */
-    BURNISH_TANGENT,  /* 4 floats: burnish_mesh_view.tangents; dropped if no normal texture is
+    BURNISH_POSITION,  /* 3 floats, finite */
+    BURNISH_NORMAL,    /* 3 floats of any length, possibly 0 or not finite */
+    BURNISH_COLOR,     /* 4 bytes: sRGB and alpha */
+    BURNISH_TEXCOORD,  /* 2 floats */
+    BURNISH_TANGENT,   /* 4 floats: burnish_mesh_view.tangents; dropped if no normal texture is
                          used */
+    BURNISH_TEXCOORD2, /* 2 floats; dropped if no texture has coordinates 1 */
     BURNISH_ATTRIBUTE_COUNT
 } burnish_attribute;
 
 /* Bytes of one item. */
 static inline size_t burnish_attribute_size(burnish_attribute attribute) {
-    static const uint8_t sizes[BURNISH_ATTRIBUTE_COUNT] = {12, 12, 4, 8, 16};
+    static const uint8_t sizes[BURNISH_ATTRIBUTE_COUNT] = {12, 12, 4, 8, 16, 8};
     return sizes[attribute];
 }
 

@@ -67,6 +67,12 @@ static burnish_status check_use(const burnish_texture_use *use, int slot, size_t
                             "%s: textures[%s].wrap is %d, %d; expected 0 to %d", name,
                             slot_names[slot], use->wrap[0], use->wrap[1], BURNISH_WRAP_MIRROR);
     }
+    if ((unsigned)use->coordinates > (slot == BURNISH_TEXTURE_NORMAL ? 0u : 1u)) {
+        return burnish_fail(
+            error, BURNISH_STATUS_ARGUMENT, "%s: textures[%s].coordinates is %d; expected 0%s",
+            name, slot_names[slot], use->coordinates,
+            slot == BURNISH_TEXTURE_NORMAL ? ", as tangents belong to the first" : " or 1");
+    }
     if (!is_finite) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "%s: textures[%s]: transform and strength must be finite", name,

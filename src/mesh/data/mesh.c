@@ -194,6 +194,7 @@ void burnish_mesh_update_view(burnish_mesh *mesh) {
     view->colors = mesh->attributes[BURNISH_COLOR];
     view->texture_coordinates = mesh->attributes[BURNISH_TEXCOORD];
     view->tangents = mesh->attributes[BURNISH_TANGENT];
+    view->second_coordinates = mesh->attributes[BURNISH_TEXCOORD2];
     view->indices = mesh->indices;
     view->triangle_materials = mesh->triangle_materials;
     view->has_transparent_colors = has_alpha(view->colors, view->vertex_count);
@@ -299,6 +300,13 @@ static burnish_status check_attributes(const burnish_mesh_view *view,
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "material: uses a texture, but the mesh has no texture coordinates; "
                             "make it with keep_texture_coordinates or with such a material");
+    }
+    for (int slot = 0; slot < BURNISH_TEXTURE_SLOT_COUNT; ++slot) {
+        if (material->textures[slot].coordinates && !view->second_coordinates) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "material: a texture has coordinates 1, but the mesh has no "
+                                "second_coordinates; make it with such a material");
+        }
     }
     if (material->textures[BURNISH_TEXTURE_NORMAL].texture && !view->tangents) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,

@@ -65,12 +65,16 @@ static void shade_material(const burnish_shading *shading, const burnish_fragmen
                               .screen = &batch->points,
                               .shown = batch->shown};
     if (texturing && texturing->materials[material].is_special) {
-        const float *from[BURNISH_TEXTURE_STREAMS];
-        for (int k = 0; k < BURNISH_TEXTURE_STREAMS; ++k) {
-            from[k] = streams[k];
+        const float *from[2][BURNISH_TEXTURE_SECOND];
+        for (int k = 0; k < BURNISH_TEXTURE_SECOND; ++k) {
+            from[0][k] = streams[k];
+            from[1][k] = streams[k < BURNISH_TEXTURE_TANGENT ? BURNISH_TEXTURE_SECOND + k : k];
         }
-        const burnish_texture_batch textured = {shading->ops, &texturing->materials[material], from,
-                                                count, &scratch->texture};
+        const burnish_texture_batch textured = {shading->ops,
+                                                &texturing->materials[material],
+                                                {from[0], from[1]},
+                                                count,
+                                                &scratch->texture};
         burnish_texture_shade(texturing, shader, points, &textured, rgb);
         lit.textured = textured.material;
     } else {
@@ -172,11 +176,12 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
         brought.first_light = group->lit;
         add_stream(&streams, points->first_light, group->lit);
     }
-    const int textured = !shading->texturing           ? 0
-                         : scratch->texture.has_shifts ? BURNISH_TEXTURE_STREAMS
-                                                       : BURNISH_TEXTURE_STREAMS_PLAIN;
-    for (int k = 0; k < textured; ++k) {
-        add_stream(&streams, scratch->texture.points[k], scratch->texture.brought[k]);
+    for (int k = 0; shading->texturing && k < BURNISH_TEXTURE_STREAMS; ++k) {
+        if (k < BURNISH_TEXTURE_SHIFT_X ||
+            (k < BURNISH_TEXTURE_SECOND ? scratch->texture.has_shifts
+                                        : shading->texturing->needs_second)) {
+            add_stream(&streams, scratch->texture.points[k], scratch->texture.brought[k]);
+        }
     }
     memcpy(group->left, batch->material, (size_t)padded_count(batch->count) * sizeof *group->left);
     for (int i = 0; i < batch->count; ++i) {

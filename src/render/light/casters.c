@@ -238,14 +238,18 @@ static void cut_piece(cutter *cut, const corner corners[3], const uint32_t *vert
     }
 }
 
-static void load_corners(const burnish_mesh_view *mesh, size_t triangle, corner corners[3]) {
+/* Coordinates are the colour's; an opacity texture is taken to share them. */
+static void load_corners(const burnish_mesh_view *mesh, const burnish_textured_material *material,
+                         size_t triangle, corner corners[3]) {
+    const float *coordinates = material->samplers[BURNISH_TEXTURE_COLOR].coordinates
+                                   ? mesh->second_coordinates
+                                   : mesh->texture_coordinates;
     const uint32_t *vertices = mesh->indices + 3 * triangle;
     for (int i = 0; i < 3; ++i) {
         const size_t v = vertices[i];
         memcpy(corners[i].p, mesh->positions + 3 * v, sizeof corners[i].p);
         for (size_t k = 0; k < 2; ++k) {
-            corners[i].uv[k] =
-                mesh->texture_coordinates ? (double)mesh->texture_coordinates[2 * v + k] : 0;
+            corners[i].uv[k] = coordinates ? (double)coordinates[2 * v + k] : 0;
         }
     }
 }
@@ -273,7 +277,7 @@ static int cut_all(burnish_casters *casters, const burnish_mesh_view *mesh,
         corner corners[3];
         cut.material = masked_material(mesh, transparency, i);
         if (cut.material) {
-            load_corners(mesh, i, corners);
+            load_corners(mesh, cut.material, i, corners);
             cut_piece(&cut, corners, mesh->indices + 3 * i, 0);
         }
     }
@@ -284,8 +288,9 @@ static double masked_area(const burnish_mesh_view *mesh, const burnish_transpare
     double area = 0;
     for (size_t i = 0; i < mesh->triangle_count; ++i) {
         corner corners[3];
-        if (masked_material(mesh, transparency, i)) {
-            load_corners(mesh, i, corners);
+        const burnish_textured_material *material = masked_material(mesh, transparency, i);
+        if (material) {
+            load_corners(mesh, material, i, corners);
             area += area_of(corners);
         }
     }

@@ -49,7 +49,8 @@ void burnish_masks_color(const burnish_texture_batch *batch) {
         return;
     }
     filtered.is_nearest = 0;
-    batch->ops->find_taps(&filtered, batch->streams, (size_t)count, &scratch->taps);
+    const float *const *streams = batch->streams[filtered.coordinates];
+    batch->ops->find_taps(&filtered, streams, (size_t)count, &scratch->taps);
     batch->ops->sample_texture(filtered.levels, &scratch->taps, ALL, (size_t)count, out);
     for (int k = 0; k < 3; ++k) {
         for (int i = 0; i < count; ++i) {
@@ -58,7 +59,7 @@ void burnish_masks_color(const burnish_texture_batch *batch) {
                                          : scratch->diffuse[k][i];
         }
     }
-    batch->ops->find_taps(&material->samplers[BURNISH_TEXTURE_COLOR], batch->streams, (size_t)count,
+    batch->ops->find_taps(&material->samplers[BURNISH_TEXTURE_COLOR], streams, (size_t)count,
                           &scratch->taps);
 }
 
@@ -107,7 +108,7 @@ static int find_mixed(const burnish_texture_levels *levels, const burnish_textur
 static void collect_mixed(const float *const *streams, const uint8_t *points, int count,
                           float (*to)[BURNISH_TEXTURE_BATCH]) {
     const int all = burnish_texture_padded(count);
-    for (int k = 0; k < BURNISH_TEXTURE_STREAMS; ++k) {
+    for (int k = 0; k < BURNISH_TEXTURE_SECOND; ++k) {
         if (k < BURNISH_TEXTURE_TANGENT || k >= BURNISH_TEXTURE_SHIFT_X) {
             for (int j = 0; j < count; ++j) {
                 to[k][j] = streams[k][points[j]];
@@ -148,13 +149,13 @@ static void cover_quarters(const burnish_texture_batch *batch, const burnish_mas
     burnish_texture_sampler single = *sampler;
     float *const out[4] = {scratch->sample[0], scratch->sample[1], scratch->sample[2],
                            scratch->sample[3]};
-    const float *at[BURNISH_TEXTURE_STREAMS];
+    const float *at[BURNISH_TEXTURE_SECOND];
     const int mixed = find_mixed(sampler->levels, scratch, batch->count, points);
-    for (int k = 0; k < BURNISH_TEXTURE_STREAMS; ++k) {
+    for (int k = 0; k < BURNISH_TEXTURE_SECOND; ++k) {
         at[k] = scratch->at[k];
     }
     single.is_single = 1;
-    collect_mixed(batch->streams, points, mixed, scratch->mixed);
+    collect_mixed(batch->streams[sampler->coordinates], points, mixed, scratch->mixed);
     for (int number = 0; mixed && number < 4; ++number) {
         const quarter q = quarter_of(of_pixel->samples, number);
         burnish_mask mask = *of_pixel;
@@ -189,7 +190,8 @@ void burnish_masks_apply(const burnish_texturing *texturing, const burnish_textu
                                burnish_sample_offsets(texturing->smooth_samples),
                                1};
     if (material->is_smooth && scratch->has_shifts) {
-        batch->ops->cover_samples(sampler, &mask, &scratch->taps, batch->streams, (size_t)count,
+        batch->ops->cover_samples(sampler, &mask, &scratch->taps,
+                                  batch->streams[sampler->coordinates], (size_t)count,
                                   scratch->opacity, scratch->cover);
         cover_quarters(batch, &mask);
         burnish_texture_fill(scratch->opacity, count, 1.0f);

@@ -97,6 +97,7 @@ static void set_sampler(const burnish_texture_use *use, const burnish_texture_le
     sampler->wrap[0] = use->wrap[0];
     sampler->wrap[1] = use->wrap[1];
     sampler->is_nearest = use->is_nearest;
+    sampler->coordinates = use->coordinates;
     sampler->has_transform = use->has_transform;
     memcpy(sampler->transform, use->has_transform ? use->transform : identity, sizeof identity);
 }
@@ -128,6 +129,7 @@ static burnish_status set_material(burnish_texturing *texturing, const burnish_m
         }
         set_sampler(use, levels, &to->samplers[slot]);
         to->has_textures = 1;
+        texturing->needs_second |= use->coordinates;
         to->is_varied |= slot != BURNISH_TEXTURE_COLOR && slot != BURNISH_TEXTURE_OPACITY &&
                          slot != BURNISH_TEXTURE_EMISSIVE;
     }
@@ -181,7 +183,7 @@ burnish_status burnish_texturing_update(burnish_texturing *texturing,
     const int has_colors = drawn->view->colors && !drawn->ignore_colors;
     const size_t count = drawn->material_count;
     texturing->has_some = texturing->needs_points = texturing->has_alpha = 0;
-    texturing->needs_tangents = texturing->smooth_samples = 0;
+    texturing->needs_tangents = texturing->needs_second = texturing->smooth_samples = 0;
     texturing->samples = samples;
     for (size_t i = 0; i < count && !texturing->has_some; ++i) {
         texturing->has_some = is_special(burnish_mesh_get_material(mesh, i));

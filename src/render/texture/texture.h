@@ -21,7 +21,8 @@ typedef struct burnish_texture_sampler {
     const burnish_texture_levels *levels; /* NULL: none */
     int wrap[2];                          /* burnish_texture_wrap */
     int is_nearest;
-    int is_single; /* 1: of two levels the larger one alone counts */
+    int coordinates; /* 0 or 1: the streams of a batch */
+    int is_single;   /* 1: of two levels the larger one alone counts */
     int has_transform;
     float transform[6]; /* as burnish_texture_use has it */
 } burnish_texture_sampler;
@@ -69,9 +70,8 @@ enum {
     BURNISH_TEXTURE_SHIFT_X, /* of fragments of layers: where the point lies, in pixels from its
                                 pixel's centre, right and up */
     BURNISH_TEXTURE_SHIFT_Y,
-    BURNISH_TEXTURE_STREAMS, /* arrays of floats per point */
-    /* streams that are used if no mask is smoothed */
-    BURNISH_TEXTURE_STREAMS_PLAIN = BURNISH_TEXTURE_SHIFT_X
+    BURNISH_TEXTURE_SECOND, /* U to V_Y of the second texture coordinates */
+    BURNISH_TEXTURE_STREAMS = BURNISH_TEXTURE_SECOND + 6 /* arrays of floats per point */
 };
 
 /* ---- A frame ---- */
@@ -93,6 +93,7 @@ typedef struct burnish_texturing {
     int has_some;          /* 0: no material is special, and nothing else means anything */
     int needs_points;      /* 1: some have textures */
     int needs_tangents;    /* 1: some have normal textures */
+    int needs_second;      /* 1: some textures use the second texture coordinates */
     int has_alpha;         /* 1: some have alpha below 1 */
     int wants_reflectance; /* 1: light comes from many directions; the caller's to set */
     int samples;           /* of a pixel */
@@ -156,6 +157,7 @@ typedef struct burnish_texture_scratch {
     uint16_t records[BURNISH_TEXTURE_BATCH]; /* and its number in corners */
     uint8_t is_uniform[BURNISH_TEXTURE_BATCH / BURNISH_TEXTURE_GROUP]; /* 1: a group has one */
     float corners[BURNISH_TEXTURE_RECORDS + BURNISH_TEXTURE_GROUP][BURNISH_CORNER_FLOATS];
+    float second[BURNISH_TEXTURE_RECORDS + BURNISH_TEXTURE_GROUP][BURNISH_CORNER_FLOATS];
     uint32_t record_ids[BURNISH_TEXTURE_RECORDS];
     int record_count;                        /* of this frame */
     uint16_t recent[BURNISH_TEXTURE_RECENT]; /* records by the low bits of their triangle */
@@ -177,8 +179,8 @@ typedef struct burnish_texture_scratch {
     int has_shifts; /* 1: points are fragments of layers, and some masks are smoothed */
     float cover[BURNISH_MAX_SAMPLES][BURNISH_TEXTURE_BATCH];
     float covers[BURNISH_MAX_SAMPLES][BURNISH_TEXTURE_BATCH];
-    float at[BURNISH_TEXTURE_STREAMS][BURNISH_TEXTURE_BATCH];    /* quarters of pixels */
-    float mixed[BURNISH_TEXTURE_STREAMS][BURNISH_TEXTURE_BATCH]; /* their pixels */
+    float at[BURNISH_TEXTURE_SECOND][BURNISH_TEXTURE_BATCH];    /* quarters of pixels */
+    float mixed[BURNISH_TEXTURE_SECOND][BURNISH_TEXTURE_BATCH]; /* their pixels */
     float part[BURNISH_MAX_SAMPLES / 4][BURNISH_TEXTURE_BATCH];
 } burnish_texture_scratch;
 
@@ -186,7 +188,8 @@ typedef struct burnish_texture_scratch {
 typedef struct burnish_texture_batch {
     const burnish_render_ops *ops;
     const burnish_textured_material *material;
-    const float *const *streams; /* BURNISH_TEXTURE_STREAMS arrays */
+    /* BURNISH_TEXTURE_SECOND arrays, with the first and with the second texture coordinates */
+    const float *const *streams[2];
     int count;
     burnish_texture_scratch *scratch;
 } burnish_texture_batch;

@@ -4,27 +4,34 @@
 
 #include <string.h>
 
+/* Corner 0 and the edges from it in the image. */
+static void fill_image(const float *coordinates, const uint32_t *vertices, float *record) {
+    const float *uv = coordinates + 2 * (size_t)vertices[0];
+    record[BURNISH_CORNER_UV] = uv[0];
+    record[BURNISH_CORNER_UV + 1] = uv[1];
+    for (int edge = 0; edge < 2; ++edge) {
+        const float *end_uv = coordinates + 2 * (size_t)vertices[edge + 1];
+        record[BURNISH_CORNER_UV1 + 2 * edge] = end_uv[0] - uv[0];
+        record[BURNISH_CORNER_UV1 + 2 * edge + 1] = end_uv[1] - uv[1];
+    }
+}
+
 /* Corner 0 from the eye, in the raster's space, and the edges from it. */
 static void fill_record(const burnish_texturing *texturing, const uint32_t *vertices,
                         float *record) {
     const burnish_mesh_view *mesh = texturing->mesh;
     const float *p = mesh->positions + 3 * (size_t)vertices[0];
-    const float *uv = mesh->texture_coordinates + 2 * (size_t)vertices[0];
+    fill_image(mesh->texture_coordinates, vertices, record);
     for (int k = 0; k < 3; ++k) {
         record[BURNISH_CORNER_P + k] =
             (float)(((double)p[k] - texturing->origin[k]) * texturing->scale - texturing->eye[k]);
     }
-    record[BURNISH_CORNER_UV] = uv[0];
-    record[BURNISH_CORNER_UV + 1] = uv[1];
     for (int edge = 0; edge < 2; ++edge) {
         const float *end = mesh->positions + 3 * (size_t)vertices[edge + 1];
-        const float *end_uv = mesh->texture_coordinates + 2 * (size_t)vertices[edge + 1];
         for (int k = 0; k < 3; ++k) {
             record[BURNISH_CORNER_E1 + 3 * edge + k] =
                 (float)(((double)end[k] - (double)p[k]) * texturing->scale);
         }
-        record[BURNISH_CORNER_UV1 + 2 * edge] = end_uv[0] - uv[0];
-        record[BURNISH_CORNER_UV1 + 2 * edge + 1] = end_uv[1] - uv[1];
     }
 }
 
@@ -81,6 +88,23 @@ static void find_records(const burnish_texturing *texturing, const int32_t *mate
     }
 }
 
+/* The same points in the second image: its records differ from the first's in the image alone. */
+static void locate_second(const burnish_texturing *texturing, const burnish_screen_points *points,
+                          int known, int count, burnish_texture_scratch *scratch) {
+    const burnish_mesh_view *mesh = texturing->mesh;
+    float *to[6];
+    for (int i = known; i < scratch->record_count; ++i) {
+        memcpy(scratch->second[i], scratch->corners[i], sizeof scratch->second[i]);
+        fill_image(mesh->second_coordinates,
+                   mesh->indices + 3 * (size_t)(scratch->record_ids[i] >> 1), scratch->second[i]);
+    }
+    for (int k = 0; k < 6; ++k) {
+        to[k] = scratch->points[BURNISH_TEXTURE_SECOND + k];
+    }
+    texturing->ops->locate_points(points, scratch->second[0], scratch->records, scratch->is_uniform,
+                                  (size_t)count, to, NULL);
+}
+
 void burnish_texture_locate(const burnish_texturing *texturing, const burnish_rays *rays,
                             const burnish_screen_points *points, const int32_t *materials,
                             int count, burnish_texture_scratch *scratch) {
@@ -98,6 +122,9 @@ void burnish_texture_locate(const burnish_texturing *texturing, const burnish_ra
     }
     ops->locate_points(points, scratch->corners[0], scratch->records, scratch->is_uniform,
                        (size_t)count, to, texturing->needs_tangents ? weights : NULL);
+    if (texturing->needs_second) {
+        locate_second(texturing, points, known, count, scratch);
+    }
     if (texturing->needs_tangents) {
         const float *const found[2] = {weights[0], weights[1]};
         for (int k = 0; k < 4; ++k) {

@@ -5,7 +5,7 @@
 
 /* Whether both look up the same texels. */
 static int same_taps(const burnish_texture_sampler *a, const burnish_texture_sampler *b) {
-    return a->levels->width[0] == b->levels->width[0] &&
+    return a->coordinates == b->coordinates && a->levels->width[0] == b->levels->width[0] &&
            a->levels->height[0] == b->levels->height[0] && a->wrap[0] == b->wrap[0] &&
            a->wrap[1] == b->wrap[1] && a->is_nearest == b->is_nearest &&
            a->has_transform == b->has_transform &&
@@ -26,7 +26,7 @@ static int sample_into(const burnish_texture_batch *batch, int slot, unsigned ch
         return 0;
     }
     if (!scratch->taps_of || !same_taps(sampler, scratch->taps_of)) {
-        batch->ops->find_taps(sampler, batch->streams, count, &scratch->taps);
+        batch->ops->find_taps(sampler, batch->streams[sampler->coordinates], count, &scratch->taps);
         scratch->taps_of = sampler;
     }
     burnish_texture_levels_need(sampler->levels, &scratch->taps.box, scratch->taps.level[0].upper,
@@ -79,7 +79,7 @@ static void turn_normals(const burnish_texture_batch *batch, const burnish_kerne
                           scratch->length};
     sample_slot(batch, BURNISH_TEXTURE_NORMAL, ALL);
     batch->ops->turn_normals(batch->material->material.textures[BURNISH_TEXTURE_NORMAL].strength,
-                             points->normal, batch->streams + BURNISH_TEXTURE_TANGENT, from,
+                             points->normal, batch->streams[0] + BURNISH_TEXTURE_TANGENT, from,
                              (size_t)batch->count, to);
 }
 

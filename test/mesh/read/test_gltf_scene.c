@@ -320,7 +320,8 @@ static void test_textures(void) {
            m->textures[BURNISH_TEXTURE_EMISSIVE].texture == color->texture &&
            m->textures[BURNISH_TEXTURE_NORMAL].texture ==
                m->textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS].texture &&
-           m->textures[BURNISH_TEXTURE_OCCLUSION].texture == 0);
+           m->textures[BURNISH_TEXTURE_OCCLUSION].texture > 0 &&
+           m->textures[BURNISH_TEXTURE_OCCLUSION].coordinates == 1);
     CHECK1(color->wrap[0] == BURNISH_WRAP_CLAMP && color->wrap[1] == BURNISH_WRAP_MIRROR &&
            color->is_nearest && m->textures[BURNISH_TEXTURE_NORMAL].strength == 0.5f &&
            m->textures[BURNISH_TEXTURE_NORMAL].wrap[0] == BURNISH_WRAP_REPEAT);
@@ -331,19 +332,21 @@ static void test_textures(void) {
     CHECK(color->has_transform && fabsf(t[0] * u + t[1] * v + t[2] - 1.5f) < 1e-6f &&
               fabsf(t[3] * u + t[4] * v + t[5] - 1.25f) < 1e-6f,
           "%g %g", (double)(t[0] * u + t[1] * v + t[2]), (double)(t[3] * u + t[4] * v + t[5]));
-    check_warning("mesh.gltf:1: materials[0].occlusionTexture: ignored, as it uses another set "
-                  "of texture coordinates (set 1)");
+    CHECK1(got.warning_count == 0);
 }
-/* A vertex has one set of texture coordinates: the set that most textures of its material use, or
- * the base colour's in a tie. The accessor of set 1 is the positions' x and y, turned. */
+
+/* A vertex has two sets of texture coordinates: the normal texture's, or else the one that most
+ * textures of its material use, and the one that most others use. The second corner's u is 0.5 in
+ * set 0 and 1 in set 1. A third set is ignored with a warning. */
 static void test_texture_sets(void) {
     static const struct {
         const char *sets[3]; /* of base colour, normals, occlusion */
-        int has[3];
-        double u; /* of the second corner */
-    } cases[] = {{{"0", "0", "0"}, {1, 1, 1}, 0.5}, {{"1", "1", "1"}, {1, 1, 1}, 1},
-                 {{"0", "1", "1"}, {0, 1, 1}, 1},   {{"1", "0", "1"}, {1, 0, 1}, 1},
-                 {{"0", "1", "9"}, {1, 0, 0}, 0.5}, {{"1", "2", "0"}, {1, 0, 0}, 1}};
+        int uses[3];         /* 1 + coordinates; 0: ignored */
+        double u[2];         /* of the second corner; 0: none, or none in the file */
+    } cases[] = {{{"0", "0", "0"}, {1, 1, 1}, {0.5, 0}}, {{"1", "1", "1"}, {1, 1, 1}, {1, 0}},
+                 {{"0", "1", "1"}, {2, 1, 1}, {1, 0.5}}, {{"1", "0", "1"}, {2, 1, 2}, {0.5, 1}},
+                 {{"0", "1", "8"}, {2, 1, 0}, {1, 0.5}}, {{"1", "2", "0"}, {2, 1, 0}, {0, 1}},
+                 {{"1", "9", "0"}, {1, 0, 2}, {1, 0.5}}};
     static const int slots[3] = {BURNISH_TEXTURE_COLOR, BURNISH_TEXTURE_NORMAL,
                                  BURNISH_TEXTURE_OCCLUSION};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
@@ -365,12 +368,18 @@ static void test_texture_sets(void) {
                  cases[i].sets[0], cases[i].sets[1], cases[i].sets[2]);
         read_good(json, &binary);
         for (int k = 0; k < 3 && got.material_count > 0; ++k) {
-            CHECK((got.materials[0].textures[slots[k]].texture > 0) == cases[i].has[k],
-                  "%zu: slot %d", i, k);
+            const burnish_texture_use *use = &got.materials[0].textures[slots[k]];
+            CHECK((use->texture ? 1 + use->coordinates : 0) == cases[i].uses[k], "%zu: slot %d", i,
+                  k);
         }
-        const float *uv = got.streams[BURNISH_TEXCOORD].items;
-        CHECK(got.streams[BURNISH_TEXCOORD].count == 3 && (double)uv[2] == cases[i].u, "%zu", i);
-        CHECK(got.warning_count == (i > 1), "%zu: %zu warnings", i, got.warning_count);
+        for (int k = 0; k < 2; ++k) {
+            const burnish_stream *stream = &got.streams[k ? BURNISH_TEXCOORD2 : BURNISH_TEXCOORD];
+            const float *uv = stream->items;
+            CHECK(stream->count == (i < 2 && k == 1 ? 0 : 3) &&
+                      (stream->count == 0 || (double)uv[2] == cases[i].u[k]),
+                  "%zu: set %d", i, k);
+        }
+        CHECK(got.warning_count == (i > 3), "%zu: %zu warnings", i, got.warning_count);
     }
 }
 

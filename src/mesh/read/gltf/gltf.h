@@ -93,13 +93,14 @@ typedef struct burnish_gltf_pose {
 /* Sets of four joints and weights that are read of a vertex. */
 #define BURNISH_GLTF_SETS 2
 
-/* Sets of texture coordinates that a material may choose from: TEXCOORD_0 to TEXCOORD_3. */
-enum { BURNISH_GLTF_TEXCOORDS = 4 };
+/* Sets of texture coordinates that textures may choose from: TEXCOORD_0 to TEXCOORD_7. */
+enum { BURNISH_GLTF_TEXCOORDS = 8 };
 
 /* A primitive: numbers of accessors; NONE if absent. */
 typedef struct burnish_gltf_primitive {
     uint32_t value; /* its JSON value */
-    uint32_t position, normal, tangent, color, texcoord, indices;
+    uint32_t position, normal, tangent, color, indices;
+    uint32_t texcoords[2]; /* of the material's first and second set */
     uint32_t joints[BURNISH_GLTF_SETS], weights[BURNISH_GLTF_SETS];
     uint32_t targets; /* the JSON array of morph targets, or NONE */
     uint32_t material;
@@ -147,8 +148,8 @@ typedef struct burnish_gltf {
                             texture, 0: can't be loaded, -1: not requested yet */
     int damaged_images;  /* damaged images in the file itself */
     struct burnish_gltf_ahead *ahead;
-    unsigned texture_set; /* the set of texture coordinates of the current material */
-    int has_colors;       /* 1: a primitive has colours of vertices */
+    unsigned texture_sets[2]; /* of the current material */
+    int has_colors;           /* 1: a primitive has colours of vertices */
     burnish_warning_group odd_values, undrawn, rests, other_sets;
 } burnish_gltf;
 
@@ -338,9 +339,10 @@ void burnish_gltf_read_materials(burnish_gltf *gltf);
 
 /* ---- gltf_textures.c ---- */
 
-/* Vertices have one set of texture coordinates: the set that most textures of a material use, or
- * the base colour's in a tie. 0 if there is no material. */
-unsigned burnish_gltf_texture_set(const burnish_gltf *gltf, uint32_t material);
+/* The two sets of texture coordinates of a material's vertices. The first is the normal texture's,
+ * as tangents belong to it; without one, the set that most textures use, or the base colour's in a
+ * tie. The second is the one that most other textures use; BURNISH_GLTF_TEXCOORDS: there is none. */
+void burnish_gltf_texture_sets(const burnish_gltf *gltf, uint32_t material, unsigned sets[2]);
 
 /* How a material uses the texture that `object` names under a key; all 0 if it names no texture, or
  * the texture can't be loaded.

@@ -19,6 +19,8 @@ enum {
     GRAIN = 1 << 12 /* vertices that a thread converts at once */
 };
 
+static const burnish_attribute texcoord_streams[2] = {BURNISH_TEXCOORD, BURNISH_TEXCOORD2};
+
 /* The current primitive and its matrix. */
 typedef struct gltf_drawer {
     burnish_gltf *gltf;
@@ -37,7 +39,7 @@ typedef struct gltf_drawer {
     size_t segment_count;
 
     const burnish_gltf_primitive *primitive;
-    const burnish_gltf_accessor *position, *normal, *tangent, *color, *texcoord, *indices;
+    const burnish_gltf_accessor *position, *normal, *tangent, *color, *texcoords[2], *indices;
     burnish_gltf_shape shape;
     int moves;         /* 1: morph targets or a skin move vertices one by one */
     atomic_size_t bad; /* the first vertex, from `base` on, that can't be placed */
@@ -107,10 +109,10 @@ static void put_color(const gltf_drawer *drawer, size_t vertex, uint8_t *to) {
 }
 
 /* v grows downwards in glTF, upwards in meshes. */
-static void put_texcoord(const gltf_drawer *drawer, size_t vertex, float *to) {
+static void put_texcoord(const burnish_gltf_accessor *texcoord, size_t vertex, float *to) {
     double uv[2] = {0, 0};
-    if (drawer->texcoord) {
-        burnish_gltf_element(drawer->texcoord, vertex, uv);
+    if (texcoord) {
+        burnish_gltf_element(texcoord, vertex, uv);
     }
     if (!burnish_double_to_float(uv[0], &to[0]) || !burnish_double_to_float(1 - uv[1], &to[1])) {
         to[0] = to[1] = 0;
@@ -136,8 +138,11 @@ static int convert_vertex(gltf_drawer *drawer, uint32_t from, size_t at) {
     if (drawer->has[BURNISH_COLOR]) {
         put_color(drawer, from, burnish_colors(mesh) + 4 * at);
     }
-    if (drawer->has[BURNISH_TEXCOORD]) {
-        put_texcoord(drawer, from, (float *)mesh->streams[BURNISH_TEXCOORD].items + 2 * at);
+    for (int i = 0; i < 2; ++i) {
+        if (drawer->has[texcoord_streams[i]]) {
+            put_texcoord(drawer->texcoords[i], from,
+                         (float *)mesh->streams[texcoord_streams[i]].items + 2 * at);
+        }
     }
     return 1;
 }
@@ -307,8 +312,10 @@ static void draw_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
     drawer->normal = accessor_of(gltf, primitive->normal);
     drawer->tangent = accessor_of(gltf, primitive->tangent);
     drawer->color = accessor_of(gltf, primitive->color);
-    drawer->texcoord = accessor_of(gltf, primitive->texcoord);
     drawer->indices = accessor_of(gltf, primitive->indices);
+    for (int i = 0; i < 2; ++i) {
+        drawer->texcoords[i] = accessor_of(gltf, primitive->texcoords[i]);
+    }
     drawer->base = (uint32_t)drawer->mesh->streams[BURNISH_POSITION].count;
     drawer->material =
         (uint16_t)(primitive->material == BURNISH_GLTF_NONE ? gltf->counts[BURNISH_GLTF_MATERIALS]
@@ -348,7 +355,10 @@ static void count_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
     drawer->has[BURNISH_COLOR] |=
         primitive->color != BURNISH_GLTF_NONE ||
         (kind != BURNISH_GLTF_TRIANGLES && primitive->material != BURNISH_GLTF_NONE);
-    drawer->has[BURNISH_TEXCOORD] |= primitive->texcoord != BURNISH_GLTF_NONE;
+    for (int i = 0; i < 2; ++i) {
+        drawer->has[texcoord_streams[i]] |= primitive->texcoords[i] != BURNISH_GLTF_NONE;
+    }
+    drawer->has[BURNISH_TEXCOORD] |= drawer->has[BURNISH_TEXCOORD2];
     if (drawer->elements > gltf->reader->input->options->max_triangles) {
         gltf->status = burnish_fail_triangles(gltf->reader, NULL);
     } else if (kind == BURNISH_GLTF_TRIANGLES) {
@@ -497,6 +507,7 @@ void burnish_gltf_read_geometry(burnish_gltf *gltf) {
     choose_kind(&drawer);
     drawer.has[BURNISH_TEXCOORD] &=
         burnish_reader_keeps_coordinates(gltf->reader, drawer.mesh->texture_count > 0);
+    drawer.has[BURNISH_TEXCOORD2] &= drawer.has[BURNISH_TEXCOORD];
     drawer.has[BURNISH_TANGENT] &= drawer.mesh->texture_count > 0;
     const char *scalar = options->scalar_property;
     if (gltf->status == BURNISH_STATUS_OK && scalar && !drawer.has[BURNISH_TEXCOORD]) {

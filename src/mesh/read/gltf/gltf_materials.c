@@ -112,7 +112,7 @@ static void read_textures(burnish_gltf *gltf, uint32_t value, uint32_t glossy,
                           burnish_material *material) {
     const uint32_t metallic = burnish_gltf_object(gltf, value, "pbrMetallicRoughness");
     burnish_texture_use *textures = material->textures;
-    gltf->texture_set = burnish_gltf_texture_set(gltf, value);
+    burnish_gltf_texture_sets(gltf, value, gltf->texture_sets);
     gltf->reader->mesh->has_normal_textures |=
         burnish_json_member(&gltf->json, value, "normalTexture") != BURNISH_JSON_NONE;
     textures[BURNISH_TEXTURE_NORMAL] =

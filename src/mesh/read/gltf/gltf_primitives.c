@@ -3,6 +3,8 @@
 
 #include "mesh/read/gltf/gltf.h"
 
+#include <stdio.h>
+
 enum { POINTS, LINES, LINE_LOOP, LINE_STRIP, TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN };
 
 #define WIDTH(width) (1u << (width))
@@ -108,15 +110,24 @@ static void count_elements(burnish_gltf *gltf, burnish_gltf_primitive *primitive
     }
 }
 
-/* The name of the set of texture coordinates that the primitive's material uses. */
-static const char *texcoord_name(const burnish_gltf *gltf,
-                                 const burnish_gltf_primitive *primitive) {
-    static const char *const names[BURNISH_GLTF_TEXCOORDS] = {"TEXCOORD_0", "TEXCOORD_1",
-                                                              "TEXCOORD_2", "TEXCOORD_3"};
-    return primitive->material == BURNISH_GLTF_NONE
-               ? names[0]
-               : names[burnish_gltf_texture_set(
-                     gltf, gltf->lists[BURNISH_GLTF_MATERIALS][primitive->material])];
+/* The sets of texture coordinates that the primitive's material uses. */
+static void read_texcoords(burnish_gltf *gltf, burnish_gltf_primitive *primitive,
+                           uint32_t attributes) {
+    const char *scalar = gltf->reader->input->options->scalar_property;
+    unsigned sets[2] = {0, BURNISH_GLTF_TEXCOORDS};
+    if (primitive->material != BURNISH_GLTF_NONE && !scalar) {
+        burnish_gltf_texture_sets(gltf, gltf->lists[BURNISH_GLTF_MATERIALS][primitive->material],
+                                  sets);
+    }
+    for (int i = 0; i < 2; ++i) {
+        char name[16];
+        snprintf(name, sizeof name, "TEXCOORD_%u", sets[i]);
+        primitive->texcoords[i] =
+            sets[i] == BURNISH_GLTF_TEXCOORDS
+                ? BURNISH_GLTF_NONE
+                : read_attribute(gltf, primitive, attributes, scalar ? scalar : name,
+                                 WIDTH(scalar ? 1 : 2));
+    }
 }
 
 /* Returns whether there is anything to draw. */
@@ -140,10 +151,7 @@ static int read_primitive(burnish_gltf *gltf, burnish_gltf_primitive *primitive)
     read_joints(gltf, primitive, attributes);
     primitive->material =
         burnish_gltf_reference(gltf, primitive->value, "material", BURNISH_GLTF_MATERIALS);
-    const char *scalar = gltf->reader->input->options->scalar_property;
-    primitive->texcoord = scalar ? read_attribute(gltf, primitive, attributes, scalar, WIDTH(1))
-                                 : read_attribute(gltf, primitive, attributes,
-                                                  texcoord_name(gltf, primitive), WIDTH(2));
+    read_texcoords(gltf, primitive, attributes);
     if (gltf->status == BURNISH_STATUS_OK) {
         read_indices(gltf, primitive);
     }

@@ -83,7 +83,15 @@ static unsigned set_of_use(const burnish_json *json, uint32_t info) {
                : BURNISH_GLTF_TEXCOORDS;
 }
 
-unsigned burnish_gltf_texture_set(const burnish_gltf *gltf, uint32_t material) {
+static unsigned most_votes(const unsigned votes[BURNISH_GLTF_TEXCOORDS]) {
+    unsigned best = 0;
+    for (unsigned set = 1; set < BURNISH_GLTF_TEXCOORDS; ++set) {
+        best = votes[set] > votes[best] ? set : best;
+    }
+    return best;
+}
+
+void burnish_gltf_texture_sets(const burnish_gltf *gltf, uint32_t material, unsigned sets[2]) {
     static const struct {
         const char *object, *key; /* object NULL: the material itself */
         unsigned votes;
@@ -96,7 +104,7 @@ unsigned burnish_gltf_texture_set(const burnish_gltf *gltf, uint32_t material) {
                 {NULL, "emissiveTexture", 2}};
     const burnish_json *json = &gltf->json;
     const uint32_t extensions = burnish_json_member(json, material, "extensions");
-    unsigned votes[BURNISH_GLTF_TEXCOORDS + 1] = {0}, best = 0;
+    unsigned votes[BURNISH_GLTF_TEXCOORDS + 1] = {0};
     for (size_t i = 0; i < sizeof uses / sizeof *uses; ++i) {
         const char *name = uses[i].object;
         const uint32_t object =
@@ -105,10 +113,11 @@ unsigned burnish_gltf_texture_set(const burnish_gltf *gltf, uint32_t material) {
                                         name);
         votes[set_of_use(json, burnish_json_member(json, object, uses[i].key))] += uses[i].votes;
     }
-    for (unsigned set = 1; set < BURNISH_GLTF_TEXCOORDS; ++set) {
-        best = votes[set] > votes[best] ? set : best;
-    }
-    return best;
+    sets[0] = set_of_use(json, burnish_json_member(json, material, "normalTexture"));
+    sets[0] = sets[0] < BURNISH_GLTF_TEXCOORDS ? sets[0] : most_votes(votes);
+    votes[sets[0]] = 0;
+    sets[1] = most_votes(votes);
+    sets[1] = votes[sets[1]] > 0 ? sets[1] : BURNISH_GLTF_TEXCOORDS;
 }
 
 /* ---- Textures ---- */
@@ -151,9 +160,10 @@ burnish_texture_use burnish_gltf_read_texture(burnish_gltf *gltf, uint32_t objec
     const uint32_t transform = burnish_gltf_extension(gltf, info, "KHR_texture_transform");
     uint64_t set = burnish_gltf_whole(gltf, info, "texCoord", 0, 1000);
     set = burnish_gltf_whole(gltf, transform, "texCoord", set, 1000);
-    if (set != gltf->texture_set) {
+    use.coordinates = set != gltf->texture_sets[0];
+    if (use.coordinates && (set >= BURNISH_GLTF_TEXCOORDS || set != gltf->texture_sets[1])) {
         burnish_gltf_note(gltf, &gltf->other_sets, info,
-                          "ignored, as it uses another set of texture coordinates (set %u)",
+                          "ignored, as it uses a third set of texture coordinates (set %u)",
                           (unsigned)set);
         return none;
     }
@@ -223,9 +233,6 @@ static uint32_t image_at(const burnish_gltf *gltf, uint32_t object, const char *
     const uint32_t webp = burnish_json_member(
         json, burnish_json_member(json, texture, "extensions"), "EXT_texture_webp");
     const uint32_t image = look_up(gltf, webp, "source", BURNISH_GLTF_IMAGES);
-    if (look_up_size(gltf, info, "texCoord") != 0) {
-        return BURNISH_JSON_NONE; /* left out */
-    }
     return image != BURNISH_JSON_NONE ? image
                                       : look_up(gltf, texture, "source", BURNISH_GLTF_IMAGES);
 }
