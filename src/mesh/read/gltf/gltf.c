@@ -120,11 +120,50 @@ static int is_drawn(const burnish_gltf *gltf, uint32_t name) {
     return 0;
 }
 
-/* Extensions of materials and textures change the look: the shapes can be drawn without, and the
- * list of used extensions causes a warning. */
+/* Beginnings of the names of extensions without which shapes at rest are the same: of materials,
+ * textures and light, of behaviour (animation, sound, physics, avatars), and of data about parts.
+ * They are of Khronos' registry (KHR_, EXT_ and vendors'), OMI's and VRM's. The list of used
+ * extensions causes a warning. */
+static const char *const shapeless[] = {"ADOBE_materials_",
+                                        "AGI_stk_metadata",
+                                        "CESIUM_primitive_outline",
+                                        "EXT_feature_metadata",
+                                        "EXT_instance_features",
+                                        "EXT_lights_",
+                                        "EXT_mesh_features",
+                                        "EXT_mesh_manifold",
+                                        "EXT_structural_metadata",
+                                        "EXT_texture_",
+                                        "FB_geometry_metadata",
+                                        "GODOT_single_root",
+                                        "GRIFFEL_bim_data",
+                                        "KHR_animation_",
+                                        "KHR_audio",
+                                        "KHR_collision_shapes",
+                                        "KHR_environment_map",
+                                        "KHR_implicit_shapes",
+                                        "KHR_interactivity",
+                                        "KHR_lights_",
+                                        "KHR_materials_",
+                                        "KHR_node_",
+                                        "KHR_physics_",
+                                        "KHR_rigid_bodies",
+                                        "KHR_techniques_webgl",
+                                        "KHR_texture_",
+                                        "MSFT_lod",
+                                        "MSFT_packing_",
+                                        "MSFT_texture_",
+                                        "NV_materials_",
+                                        "OMI_",
+                                        "VRM"};
+
 static int changes_shapes(const char *extension) {
-    return strncmp(extension, "KHR_materials_", 14) != 0 &&
-           strncmp(extension, "KHR_texture_", 12) != 0;
+    for (size_t i = 0; i < sizeof shapeless / sizeof *shapeless; ++i) {
+        if (strncmp(extension, shapeless[i], strlen(shapeless[i])) == 0) {
+            return 0;
+        }
+    }
+    return 1;
 }
 
 static void refuse_required(burnish_gltf *gltf) {
