@@ -297,6 +297,14 @@ static void test_materials(void) {
                   "number, found \"x\"; ignored");
 }
 
+/* Primitives without a material are white, unlike those of other formats. */
+static void test_default_material(void) {
+    read_good("$head$triangle,$node}", NULL);
+    const burnish_material *m = got.materials;
+    CHECK1(got.material_count == 1 && m->has_diffuse && m->diffuse[0] == 1 && m->diffuse[2] == 1 &&
+           m->ambient[1] == 1 && m->roughness == 1 && m->reflectance[0] == 0.04f);
+}
+
 /* ---- Textures ---- */
 
 /* One image as colours and as numbers is two textures, however often it is used. The transform of
@@ -494,6 +502,7 @@ int main(int count, char **arguments) {
     RUN(test_animation());
     RUN(test_cameras());
     RUN(test_lights());
+    RUN(test_default_material());
     RUN(test_textures());
     RUN(test_texture_sets());
     RUN(test_damaged_images());

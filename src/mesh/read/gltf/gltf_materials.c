@@ -185,6 +185,14 @@ static burnish_material read_material(burnish_gltf *gltf, uint32_t value) {
     return material;
 }
 
+/* The material of primitives without one: white and rough (section 3.7.2.1). The specification's
+ * is a metal, which looks the same under area lights; other looks would leave it nothing to
+ * reflect. */
+static burnish_material plain_material(void) {
+    return make_material(
+        &(gltf_surface){.base = {1, 1, 1, 1}, .roughness = 1, .reflectance = {0.04, 0.04, 0.04}});
+}
+
 void burnish_gltf_read_materials(burnish_gltf *gltf) {
     burnish_mesh_data *mesh = gltf->reader->mesh;
     const size_t count = gltf->counts[BURNISH_GLTF_MATERIALS];
@@ -206,6 +214,6 @@ void burnish_gltf_read_materials(burnish_gltf *gltf) {
     }
     gltf->is_lenient = 0;
     burnish_gltf_drop_ahead(gltf);
-    mesh->materials[count] = burnish_material_default();
+    mesh->materials[count] = plain_material();
     mesh->material_count = count + (gltf->has_plain || count == 0);
 }
