@@ -180,6 +180,9 @@ typedef struct burnish_load_options {
     double animation_time; /* seconds, >= 0: the moment of the animation; or BURNISH_AT_REST */
     const char *animation; /* its name, or its number from 0; NULL: the first. Without a time, the
                               scene at its start */
+    const char *variant;   /* the material variant of a glTF file, by name; NULL: the file's own
+                              materials. A name that the file lacks fails with ARGUMENT; a file
+                              without variants ignores it */
     uint64_t max_memory;   /* bytes for loading and drawing, 0: no limit. An STL, PLY, OBJ or OFF
                             file that needs more becomes a preview, with a warning: of STL one in so
                             many triangles, as a point at its middle with its normal; of the others
@@ -547,6 +550,11 @@ typedef struct burnish_named_camera {
 BURNISH_API size_t burnish_mesh_get_camera_count(const burnish_mesh *mesh);
 BURNISH_API const burnish_named_camera *burnish_mesh_get_camera(const burnish_mesh *mesh,
                                                                 size_t index);
+
+/* The names of the file's material variants (KHR_materials_variants). An index out of range gives
+ * NULL. */
+BURNISH_API size_t burnish_mesh_get_variant_count(const burnish_mesh *mesh);
+BURNISH_API const char *burnish_mesh_get_variant(const burnish_mesh *mesh, size_t index);
 
 /* A light of the file, in coordinates of the mesh. Point lights do not fall off in burnish, so a
  * light in physical units gets its strength at the middle of the bounding box: candela / distance^2

@@ -106,6 +106,8 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
                           "only built-in objects such as :teapot have patches; omit the flag"};
     needs[2] = (cli_need){"point-size", info && info->point_count + info->line_count > 0,
                           "only points and lines have a size, and INPUT has faces; omit the flag"};
+    needs[3] = (cli_need){"variant", burnish_mesh_get_variant_count(mesh) > 0,
+                          "INPUT has no variants; omit the flag"};
 }
 
 burnish_load_options cli_load_options(const cli_input *input) {
@@ -117,6 +119,7 @@ burnish_load_options cli_load_options(const cli_input *input) {
         options.animation_time = input->animation_time.value;
     }
     options.animation = input->animation;
+    options.variant = input->variant;
     options.ignore_referenced_files = input->no_libraries;
     options.point_size = input->point_size.given ? input->point_size.value : 0;
     options.max_memory = input->max_memory;

@@ -37,7 +37,7 @@ typedef struct cli_input {
     int format; /* burnish_format or cli_foreign */
     int tessellation, strict, no_textures, no_libraries;
     cli_real animation_time;
-    const char *animation;
+    const char *animation, *variant;
     cli_real point_size;
     uint64_t max_triangles, max_input_bytes, max_texture_pixels;
     uint64_t max_memory; /* of loading and drawing: 0: no limit */
@@ -72,7 +72,7 @@ cli_handler cli_flag_input_format;
 cli_handler cli_flag_texture_pixels; /* uint64_t in [low, high], or "auto" */
 
 /* What the flags below need of the input; without a mesh, as if nothing were met. */
-enum { CLI_INPUT_NEEDS = 3 };
+enum { CLI_INPUT_NEEDS = 4 };
 void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEEDS]);
 
 /* The rows; `type` has the cli_input `member`. */
@@ -108,6 +108,13 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
     .manual = "The animation of _INPUT_ for *--animation-time*: its name, or its number from "     \
               "0. Without a time, its start is shown.",                                            \
     .handler = cli_flag_text, .offset = offsetof(type, member.animation)
+
+#define CLI_VARIANT_FLAG(type, member)                                                             \
+    .phases = CLI_PHASE_LOAD, .value_type = CLI_TYPE_NAME, .name = "variant", .value = "NAME",     \
+    .help = "materials of a variant of INPUT", .default_label = "the file's own",                  \
+    .manual = "Draws the variant _NAME_ of a glTF file, such as another colour of a product "      \
+              "(KHR_materials_variants). *burnish info* lists the names.",                         \
+    .handler = cli_flag_text, .offset = offsetof(type, member.variant)
 
 #define CLI_POINT_SIZE_FLAG(type, member)                                                          \
     .phases = CLI_PHASE_LOAD, .name = "point-size", .value = "SIZE",                               \

@@ -32,6 +32,10 @@ static const char *normals_name(const burnish_mesh_info *info) {
 
 /* ---- JSON ---- */
 
+static cJSON *variant_at(const void *mesh, size_t i) {
+    return cli_json_text(burnish_mesh_get_variant(mesh, i));
+}
+
 static cJSON *warning_at(const void *mesh, size_t i) {
     return cli_json_text(burnish_mesh_get_warning(mesh, i));
 }
@@ -119,6 +123,9 @@ cJSON *info_make_json(const info_report *r, int *failed) {
     cli_json_add(root, "points", cli_json_count(info->point_count), failed);
     cli_json_add(root, "lines", cli_json_count(info->line_count), failed);
     cli_json_add(root, "materials", cli_json_count(burnish_mesh_get_material_count(r->mesh)),
+                 failed);
+    cli_json_add(root, "variants",
+                 cli_json_array(burnish_mesh_get_variant_count(r->mesh), variant_at, r->mesh),
                  failed);
     cli_json_add(root, "normals",
                  r->facts ? cJSON_CreateString(normals_name(info)) : cJSON_CreateNull(), failed);
@@ -250,6 +257,17 @@ static void print_box(FILE *stream, const info_report *r) {
     print_up(stream, r);
 }
 
+static void print_variants(FILE *stream, const burnish_mesh *mesh) {
+    const size_t count = burnish_mesh_get_variant_count(mesh);
+    if (count > 0) {
+        fprintf(stream, "  %-20s  ", "variants");
+    }
+    for (size_t i = 0; i < count; ++i) {
+        cli_print_clean(stream, burnish_mesh_get_variant(mesh, i), 0);
+        fputs(i + 1 < count ? ", " : "\n", stream);
+    }
+}
+
 static void print_surface(FILE *stream, const info_report *r) {
     const burnish_mesh_facts *f = r->facts;
     const double size = fmax(r->size[0], fmax(r->size[1], r->size[2])), *c = f->center_of_mass;
@@ -298,6 +316,7 @@ void info_print_text(FILE *stream, const info_report *r) {
         fprintf(stream, "%zu vertices, ", r->facts->vertex_count);
     }
     fprintf(stream, "%zu material%s\n\n", materials, materials == 1 ? "" : "s");
+    print_variants(stream, r->mesh);
     print_box(stream, r);
     if (r->facts) {
         print_surface(stream, r);

@@ -39,6 +39,7 @@ static const cli_flag flags[] = {
     {CLI_TESSELLATION_FLAG(info_settings, load)},
     {CLI_ANIMATION_TIME_FLAG(info_settings, load)},
     {CLI_ANIMATION_FLAG(info_settings, load)},
+    {CLI_VARIANT_FLAG(info_settings, load)},
     {CLI_STRICT_FLAG(info_settings, load)},
     {CLI_NO_LIBRARIES_FLAG(info_settings, load)},
     {CLI_MAX_TRIANGLES_FLAG(info_settings, load)},
@@ -66,6 +67,7 @@ static const cli_term json_terms[] = {
     {"*points, lines*", "number of points and lines of an input without faces; then *area* and "
                         "everything below it, except *origin* and *warnings*, is null"},
     {"*materials*", "after loading: at least 1"},
+    {"*variants*", "names for *--variant* (glTF)"},
     {"*unit*", "of lengths, from 3MF or glTF: micron, millimeter, centimeter, inch, foot or meter; "
                "null if unknown"},
     {"*bounding_box*", "*min*, *max* and *size* of the triangles with area, or of the positions of "

@@ -522,6 +522,7 @@ static const cli_flag flags[] = {
     {CLI_TESSELLATION_FLAG(render_settings, input.load)},
     {CLI_ANIMATION_TIME_FLAG(render_settings, input.load)},
     {CLI_ANIMATION_FLAG(render_settings, input.load)},
+    {CLI_VARIANT_FLAG(render_settings, input.load)},
     {CLI_POINT_SIZE_FLAG(render_settings, input.load)},
     {CLI_STRICT_FLAG(render_settings, input.load)},
     {CLI_NO_TEXTURES_FLAG(render_settings, input.load)},

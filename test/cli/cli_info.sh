@@ -112,6 +112,24 @@ cp "$out" printed.json
 expect 0 '' info box.stl --json=facts.json
 check "the same in a file" cmp facts.json printed.json
 
+# Material variants.
+cat >variants.gltf <<END
+{"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAEAAAAAA"}],
+"bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"materials":[{},
+{"extensions":{"KHR_materials_unlit":{}},"pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]}}],"extensions":{"KHR_materials_variants":{"variants":
+[{"name":"plain"},{"name":"deep red"}]}},"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0,"extensions":
+{"KHR_materials_variants":{"mappings":[{"material":1,"variants":[1]}]}}}]}],"nodes":[{"mesh":0}]}
+END
+run info variants.gltf
+check "variants: $(cat "$out")" grep -qx '  variants              plain, deep red' "$out"
+run info variants.gltf --json
+check "variants in JSON: $(cat "$out")" grep -q '"variants":[[:space:]]*\["plain",[[:space:]]*"deep red"\]' "$out"
+run render variants.gltf --size=16 --json -o v.png
+without=$(json hash)
+run render variants.gltf --size=16 --json -o v.png --variant="deep red"
+check "a variant changes the picture" [ "$(json hash)" != "$without" ]
+expect 2 'burnish: variants.gltf: variant "red" does not exist; the file has plain, deep red' render variants.gltf --variant=red
+
 # What is wrong with a surface is said.
 box '/^facet/{N;N;N;N;/vertex 0 0 3\nvertex 1 0 3\nvertex 1 2 3/d;}' >open.stl
 run info open.stl

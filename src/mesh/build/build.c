@@ -48,7 +48,11 @@ static burnish_status take_materials(burnish_builder *b) {
     return BURNISH_STATUS_OK;
 }
 
-static void take_warnings(burnish_builder *b) {
+static void take_texts(burnish_builder *b) {
+    b->mesh->variants = b->data->variants;
+    b->mesh->variant_count = b->data->variant_count;
+    b->data->variants = NULL;
+    b->data->variant_count = b->data->variant_capacity = 0;
     b->mesh->warnings = b->data->warnings;
     b->mesh->warning_count = b->data->warning_count;
     b->data->warnings = NULL;
@@ -175,7 +179,7 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
     }
     assert(b.triangle_count > 0 || b.mesh->texture_count == 0); /* as the renderer expects */
     describe_mesh(&b);
-    take_warnings(&b);
+    take_texts(&b);
     b.mesh->info.read_seconds = start - data->start;
     b.mesh->info.build_seconds = burnish_seconds_now() - start;
     *mesh = b.mesh;

@@ -16,6 +16,13 @@ void burnish_mesh_data_drop(burnish_mesh_data *mesh, burnish_attribute attribute
     *stream = (burnish_stream){0};
 }
 
+void burnish_texts_release(const burnish_context *context, char **texts, size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+        burnish_release(context, texts[i]);
+    }
+    burnish_release(context, texts);
+}
+
 void burnish_cameras_release(const burnish_context *context, burnish_named_camera *cameras,
                              size_t count) {
     for (size_t i = 0; i < count; ++i) {
@@ -29,10 +36,8 @@ void burnish_mesh_data_destroy(burnish_mesh_data *mesh) {
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         burnish_mesh_data_drop(mesh, (burnish_attribute)i);
     }
-    for (size_t i = 0; i < mesh->warning_count; ++i) {
-        burnish_release(context, mesh->warnings[i]);
-    }
-    burnish_release(context, mesh->warnings);
+    burnish_texts_release(context, mesh->warnings, mesh->warning_count);
+    burnish_texts_release(context, mesh->variants, mesh->variant_count);
     burnish_textures_release(context, mesh->textures, mesh->texture_count);
     burnish_cameras_release(context, mesh->cameras, mesh->camera_count);
     burnish_release(context, mesh->lights);

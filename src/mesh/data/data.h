@@ -77,6 +77,9 @@ typedef struct burnish_mesh_data {
     burnish_file_light *lights;
     size_t light_count, light_capacity;
 
+    char **variants; /* names */
+    size_t variant_count, variant_capacity;
+
     char **warnings;
     size_t warning_count, warning_capacity;
     int is_silent; /* 1: an earlier reading has already reported the warnings */
@@ -130,6 +133,8 @@ static inline const uint32_t *burnish_stream_corners(const burnish_mesh_data *me
     const uint32_t *own = mesh->streams[attribute].corners;
     return own ? own : mesh->streams[BURNISH_POSITION].corners;
 }
+
+void burnish_texts_release(const burnish_context *context, char **texts, size_t count);
 
 /* Releases cameras with their names. */
 void burnish_cameras_release(const burnish_context *context, burnish_named_camera *cameras,

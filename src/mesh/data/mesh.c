@@ -214,16 +214,14 @@ void burnish_mesh_destroy(burnish_mesh *mesh) {
         return;
     }
     const burnish_context *context = mesh->context;
-    for (size_t i = 0; i < mesh->warning_count; ++i) {
-        burnish_release(context, mesh->warnings[i]);
-    }
+    burnish_texts_release(context, mesh->warnings, mesh->warning_count);
+    burnish_texts_release(context, mesh->variants, mesh->variant_count);
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         burnish_release(context, mesh->attributes[i]);
     }
     burnish_cameras_release(context, mesh->cameras, mesh->camera_count);
     burnish_release(context, mesh->lights);
     burnish_textures_release(context, mesh->textures, mesh->texture_count);
-    burnish_release(context, mesh->warnings);
     burnish_release(context, mesh->materials);
     burnish_release(context, mesh->indices);
     burnish_release(context, mesh->triangle_materials);
@@ -261,6 +259,14 @@ size_t burnish_mesh_get_warning_count(const burnish_mesh *mesh) {
 
 const char *burnish_mesh_get_warning(const burnish_mesh *mesh, size_t index) {
     return mesh && index < mesh->warning_count ? mesh->warnings[index] : NULL;
+}
+
+size_t burnish_mesh_get_variant_count(const burnish_mesh *mesh) {
+    return mesh ? mesh->variant_count : 0;
+}
+
+const char *burnish_mesh_get_variant(const burnish_mesh *mesh, size_t index) {
+    return mesh && index < mesh->variant_count ? mesh->variants[index] : NULL;
 }
 
 size_t burnish_mesh_get_camera_count(const burnish_mesh *mesh) {

@@ -29,6 +29,9 @@ struct burnish_mesh {
     burnish_file_light *lights;
     size_t light_count;
 
+    char **variants;
+    size_t variant_count;
+
     char **warnings;
     size_t warning_count;
 };

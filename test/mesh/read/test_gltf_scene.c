@@ -305,6 +305,37 @@ static void test_default_material(void) {
            m->ambient[1] == 1 && m->roughness == 1 && m->reflectance[0] == 0.04f);
 }
 
+/* A variant puts another material in a primitive's place; a primitive that does not map it keeps
+ * its own. */
+static void test_variants(void) {
+    static const char json[] =
+        "$head$triangle_accessors,'materials':[{},{'doubleSided':true},{}],"
+        "'extensions':{'KHR_materials_variants':{'variants':[{'name':'red'},{'name':'dark "
+        "blue'}]}},"
+        "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0,'extensions':"
+        "{'KHR_materials_variants':{'mappings':[{'material':2,'variants':[0]},"
+        "{'material':1,'variants':[7,1]}]}}},{'attributes':{'POSITION':0},'material':0}]}],$node}";
+    static const struct {
+        const char *variant;
+        int material;
+    } cases[] = {{NULL, 0}, {"red", 2}, {"dark blue", 1}};
+    static byte_list list;
+    burnish_load_options options = burnish_load_options_default();
+    put_json(&list, json);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        options.variant = cases[i].variant;
+        CHECK_OK(run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL), fault);
+        CHECK(got.triangle_count == 2 && got.triangle_materials[0] == cases[i].material &&
+                  got.triangle_materials[1] == 0,
+              "%zu: %d", i, got.triangle_materials[0]);
+        CHECK1(got.variant_count == 2 && strcmp(got.variants[1], "dark blue") == 0);
+    }
+    options.variant = "blue";
+    check_fault(run_reader(BURNISH_FORMAT_GLTF, list.bytes, list.size, &options, NULL),
+                BURNISH_STATUS_ARGUMENT,
+                "mesh.gltf: variant \"blue\" does not exist; the file has red, dark blue");
+}
+
 /* ---- Textures ---- */
 
 /* One image as colours and as numbers is two textures, however often it is used. The transform of
@@ -503,6 +534,7 @@ int main(int count, char **arguments) {
     RUN(test_cameras());
     RUN(test_lights());
     RUN(test_default_material());
+    RUN(test_variants());
     RUN(test_textures());
     RUN(test_texture_sets());
     RUN(test_damaged_images());

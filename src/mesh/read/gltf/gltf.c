@@ -183,29 +183,78 @@ static void refuse_required(burnish_gltf *gltf) {
     }
 }
 
+/* Names, separated by commas; "..." for those without room. */
+typedef struct gltf_names {
+    char text[200];
+    size_t used, count;
+} gltf_names;
+
+static void add_name(gltf_names *names, const char *name) {
+    char *end = names->text + names->used;
+    if (names->used + strlen(name) + 8 < sizeof names->text) {
+        names->used += (size_t)snprintf(end, sizeof names->text - names->used, "%s%s",
+                                        names->used > 0 ? ", " : "", name);
+    } else if (strcmp(end, ", ...") != 0) {
+        strcpy(end, ", ...");
+    }
+    ++names->count;
+}
+
 /* One line for all ignored extensions. */
 static void warn_used(burnish_gltf *gltf) {
     const uint32_t names = burnish_gltf_array(gltf, 0, "extensionsUsed");
-    char text[200] = "";
-    size_t used = 0, count = 0;
+    gltf_names ignored = {.used = 0};
     uint32_t name = names + 1;
     for (size_t i = burnish_json_length(&gltf->json, names); i > 0; --i) {
         if (!is_drawn(gltf, name)) {
             char one[64];
             burnish_json_text(&gltf->json, name, one, sizeof one);
-            if (used + strlen(one) + 8 < sizeof text) {
-                used += (size_t)snprintf(text + used, sizeof text - used, "%s%s",
-                                         used > 0 ? ", " : "", one);
-            } else if (strcmp(text + used, ", ...") != 0) {
-                strcpy(text + used, ", ...");
-            }
-            ++count;
+            add_name(&ignored, one);
         }
         name = gltf->json.nodes[name].next;
     }
-    if (count > 0) {
+    if (ignored.count > 0) {
         burnish_reader_warn(gltf->reader, NULL, "drawn without the extension%s %s",
-                            count == 1 ? "" : "s", text);
+                            ignored.count == 1 ? "" : "s", ignored.text);
+    }
+}
+
+/* KHR_materials_variants: the names, and the number of the chosen one. */
+static void read_variants(burnish_gltf *gltf) {
+    burnish_mesh_data *mesh = gltf->reader->mesh;
+    const char *wanted = gltf->reader->input->options->variant;
+    gltf->is_lenient = 1;
+    const uint32_t extension = burnish_gltf_extension(gltf, 0, "KHR_materials_variants");
+    const uint32_t array = burnish_gltf_array(gltf, extension, "variants");
+    gltf_names names = {.used = 0};
+    uint32_t value = array + 1;
+    gltf->is_lenient = 0;
+    gltf->variant = UINT64_MAX;
+    for (size_t i = burnish_json_length(&gltf->json, array); i > 0 && burnish_gltf_is_fine(gltf);
+         --i) {
+        char text[128];
+        burnish_json_text(&gltf->json, burnish_json_member(&gltf->json, value, "name"), text,
+                          sizeof text);
+        char *name = burnish_allocate(gltf->memory, strlen(text) + 1, 1, "variants");
+        mesh->variants =
+            burnish_reserve(gltf->memory, mesh->variants, &mesh->variant_capacity,
+                            mesh->variant_count + 1, sizeof *mesh->variants, "variants");
+        if (!burnish_gltf_is_fine(gltf)) {
+            burnish_release(gltf->memory->context, name);
+            return;
+        }
+        if (wanted && gltf->variant == UINT64_MAX && strcmp(text, wanted) == 0) {
+            gltf->variant = mesh->variant_count;
+        }
+        add_name(&names, text);
+        mesh->variants[mesh->variant_count++] = strcpy(name, text);
+        value = gltf->json.nodes[value].next;
+    }
+    if (wanted && names.count > 0 && gltf->variant == UINT64_MAX) {
+        const burnish_token token = {(const uint8_t *)wanted, strlen(wanted)};
+        burnish_gltf_fail(gltf, BURNISH_STATUS_ARGUMENT, BURNISH_JSON_NONE,
+                          "variant \"%s\" does not exist; the file has %s",
+                          burnish_token_quote(token).text, names.text);
     }
 }
 
@@ -261,6 +310,7 @@ static void read_parts(burnish_gltf *gltf) {
     void (*const steps[])(burnish_gltf *) = {check_asset,
                                              refuse_required,
                                              list_items,
+                                             read_variants,
                                              burnish_gltf_decode_draco,
                                              burnish_gltf_read_primitives,
                                              burnish_gltf_place_nodes,

@@ -142,6 +142,7 @@ typedef struct burnish_gltf {
     burnish_gltf_primitive *primitives; /* of all meshes, mesh after mesh */
     size_t primitive_count, primitive_capacity;
     int has_plain;             /* 1: a primitive has no material */
+    uint64_t variant;          /* number of the chosen variant; UINT64_MAX: none */
     uint32_t *mesh_primitives; /* of each mesh the first of them; one more for the end */
 
     int *image_textures; /* two per item of IMAGES, as numbers and as colours: 1 + number of the

@@ -130,6 +130,29 @@ static void read_texcoords(burnish_gltf *gltf, burnish_gltf_primitive *primitive
     }
 }
 
+/* The primitive's material, or what the chosen variant puts in its place. */
+static uint32_t read_material(burnish_gltf *gltf, uint32_t primitive) {
+    const uint32_t extension = burnish_gltf_extension(gltf, primitive, "KHR_materials_variants");
+    const uint32_t mappings = gltf->variant == UINT64_MAX
+                                  ? BURNISH_JSON_NONE
+                                  : burnish_gltf_array(gltf, extension, "mappings");
+    uint32_t mapping = mappings + 1;
+    for (size_t i = burnish_json_length(&gltf->json, mappings); i > 0; --i) {
+        const uint32_t variants = burnish_gltf_array(gltf, mapping, "variants");
+        uint32_t variant = variants + 1;
+        for (size_t k = burnish_json_length(&gltf->json, variants); k > 0; --k) {
+            double number = -1;
+            if (burnish_json_number(&gltf->json, variant, &number) && number >= 0 &&
+                number < 0x1p53 && (uint64_t)number == gltf->variant) {
+                return burnish_gltf_reference(gltf, mapping, "material", BURNISH_GLTF_MATERIALS);
+            }
+            variant = gltf->json.nodes[variant].next;
+        }
+        mapping = gltf->json.nodes[mapping].next;
+    }
+    return burnish_gltf_reference(gltf, primitive, "material", BURNISH_GLTF_MATERIALS);
+}
+
 /* Returns whether there is anything to draw. */
 static int read_primitive(burnish_gltf *gltf, burnish_gltf_primitive *primitive) {
     const uint32_t attributes = burnish_gltf_object(gltf, primitive->value, "attributes");
@@ -149,8 +172,7 @@ static int read_primitive(burnish_gltf *gltf, burnish_gltf_primitive *primitive)
     primitive->tangent = read_attribute(gltf, primitive, attributes, "TANGENT", WIDTH(4));
     primitive->targets = burnish_gltf_array(gltf, primitive->value, "targets");
     read_joints(gltf, primitive, attributes);
-    primitive->material =
-        burnish_gltf_reference(gltf, primitive->value, "material", BURNISH_GLTF_MATERIALS);
+    primitive->material = read_material(gltf, primitive->value);
     read_texcoords(gltf, primitive, attributes);
     if (gltf->status == BURNISH_STATUS_OK) {
         read_indices(gltf, primitive);
