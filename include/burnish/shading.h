@@ -20,7 +20,7 @@ extern "C" {
 typedef enum burnish_texture_slot {
     BURNISH_TEXTURE_COLOR,              /* multiplies ambient and diffuse, or the base colour; for
                                            alpha see alpha_mode */
-    BURNISH_TEXTURE_SPECULAR,           /* rgb multiplies specular */
+    BURNISH_TEXTURE_SPECULAR,           /* rgb multiplies specular, or the reflectance */
     BURNISH_TEXTURE_EXPONENT,           /* r multiplies the exponent */
     BURNISH_TEXTURE_METALLIC_ROUGHNESS, /* g multiplies roughness, b metallic */
     BURNISH_TEXTURE_NORMAL,             /* tangent space, green up: 2 rgb - 1 */

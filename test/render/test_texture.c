@@ -343,7 +343,7 @@ static void test_normal_map(void) {
 static void test_factors(void) {
     const uint8_t texels[] = {255, 255, 255, 255, 255, 128, 51, 255};
     const burnish_texture textures[] = {{NULL, 1, 1, texels, 1}, {NULL, 1, 1, texels + 4, 0}};
-    for (int which = 0; which < 4; ++which) {
+    for (int which = 0; which < 5; ++which) {
         static scene plain, textured;
         burnish_material material = matt_material(1);
         material.specular[1] = 0.5f;
@@ -364,6 +364,15 @@ static void test_factors(void) {
             material.metallic = 51 / 255.0f;
             material.roughness = 0.9f * 128 / 255.0f;
             other.textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS].texture = 2;
+        } else if (which == 3) {
+            static const float factors[] = {1, 128 / 255.0f, 51 / 255.0f};
+            other.is_metallic = material.is_metallic = 1;
+            other.roughness = material.roughness = 0.6f;
+            for (int k = 0; k < 3; ++k) {
+                other.reflectance[k] = 0.25f;
+                material.reflectance[k] = 0.25f * factors[k];
+            }
+            other.textures[BURNISH_TEXTURE_SPECULAR].texture = 2;
         } else {
             other.textures[BURNISH_TEXTURE_OCCLUSION] =
                 (burnish_texture_use){.texture = 2, .strength = 0.5f};

@@ -104,8 +104,7 @@ static unsigned sample_coefficients(const burnish_texture_batch *batch) {
     unsigned sampled = 0;
     for (size_t i = 0; i < sizeof wanted / sizeof *wanted; ++i) {
         const int is_metal = wanted[i].slot == BURNISH_TEXTURE_METALLIC_ROUGHNESS;
-        const int is_phong = wanted[i].slot == BURNISH_TEXTURE_SPECULAR ||
-                             wanted[i].slot == BURNISH_TEXTURE_EXPONENT;
+        const int is_phong = wanted[i].slot == BURNISH_TEXTURE_EXPONENT;
         if (!(batch->material->material.is_metallic ? is_phong : is_metal)) {
             sampled |=
                 (unsigned)sample_into(batch, wanted[i].slot, wanted[i].channels, wanted[i].out)

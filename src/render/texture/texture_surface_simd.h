@@ -89,12 +89,12 @@ typedef struct texture_coefficients {
 } texture_coefficients;
 
 /* Metal's parameters become coefficients: shading.h has the formulas. */
-BURNISH_INLINE void texture_metal(const burnish_material *from, int has_sample, size_t i,
+BURNISH_INLINE void texture_metal(const burnish_material *from, unsigned sampled, size_t i,
                                   const burnish_texture_scratch *scratch,
                                   texture_coefficients *to) {
     const vf one = vf_set(1.0f), two = vf_set(2.0f);
     vf roughness = vf_set(from->roughness), metallic = vf_set(from->metallic);
-    if (has_sample) {
+    if (sampled >> BURNISH_TEXTURE_METALLIC_ROUGHNESS & 1) {
         roughness = vf_mul(roughness, vf_load(scratch->sample[1] + i));
         metallic = vf_mul(metallic, vf_load(scratch->sample[2] + i));
     }
@@ -106,8 +106,11 @@ BURNISH_INLINE void texture_metal(const burnish_material *from, int has_sample, 
         const vf base = vf_mul(vf_set(from->diffuse[k]), vf_load(scratch->diffuse[k] + i));
         const vf rest = vf_sub(one, metallic);
         to->ambient[k] = base;
-        to->specular[k] =
-            vf_add(vf_mul(vf_set(from->reflectance[k]), rest), vf_mul(base, metallic));
+        vf reflectance = vf_set(from->reflectance[k]);
+        if (sampled >> BURNISH_TEXTURE_SPECULAR & 1) {
+            reflectance = vf_mul(reflectance, vf_load(scratch->specular[k] + i));
+        }
+        to->specular[k] = vf_add(vf_mul(reflectance, rest), vf_mul(base, metallic));
         to->diffuse[k] = vf_mul(base, rest);
     }
 }
@@ -192,8 +195,7 @@ static void vary_points(const burnish_textured_material *material, unsigned samp
     for (size_t i = 0; i < count; i += LANES) {
         texture_coefficients to;
         if (material->material.is_metallic) {
-            texture_metal(&material->material, sampled >> BURNISH_TEXTURE_METALLIC_ROUGHNESS & 1, i,
-                          scratch, &to);
+            texture_metal(&material->material, sampled, i, scratch, &to);
         } else {
             texture_phong(&material->material, sampled, i, scratch, &to);
         }

@@ -374,6 +374,26 @@ static void test_textures(void) {
     CHECK1(got.warning_count == 0);
 }
 
+/* KHR_materials_specular: strengths are the alpha of their image, here 127; colours precede them. */
+static void test_specular_textures(void) {
+    for (int has_color = 0; has_color < 2; ++has_color) {
+        char json[1024];
+        snprintf(json, sizeof json,
+                 "$head$triangle_accessors,'images':[$image],'textures':[{'source':0}],"
+                 "'materials':[{'extensions':{'KHR_materials_specular':{%s"
+                 "'specularTexture':{'index':0}}}}],$painted}",
+                 has_color ? "'specularColorTexture':{'index':0}," : "");
+        read_good(json, NULL);
+        const int number = got.materials[0].textures[BURNISH_TEXTURE_SPECULAR].texture;
+        CHECK(number == (has_color ? 1 : 2) && got.materials[0].is_metallic, "%d", number);
+        CHECK1(number > 0 && got.textures[number - 1].is_color == has_color);
+        CHECK(got.warning_count == (size_t)has_color, "%zu warnings", got.warning_count);
+        for (int k = 0; k < 3 && number == 2; ++k) {
+            CHECK1(got.textures[1].pixels[k] == 127 && got.textures[0].pixels[3] == 127);
+        }
+    }
+}
+
 /* A vertex has two sets of texture coordinates: the normal texture's, or else the one that most
  * textures of its material use, and the one that most others use. The second corner's u is 0.5 in
  * set 0 and 1 in set 1. A third set is ignored with a warning. */
@@ -536,6 +556,7 @@ int main(int count, char **arguments) {
     RUN(test_default_material());
     RUN(test_variants());
     RUN(test_textures());
+    RUN(test_specular_textures());
     RUN(test_texture_sets());
     RUN(test_damaged_images());
     return test_end("gltf_scene");

@@ -296,9 +296,9 @@ static void list_items(burnish_gltf *gltf) {
     gltf->accessors = burnish_allocate_zeroed(gltf->memory, gltf->counts[BURNISH_GLTF_ACCESSORS],
                                               sizeof *gltf->accessors, "accessors");
     const size_t images = gltf->counts[BURNISH_GLTF_IMAGES];
-    gltf->image_textures =
-        burnish_allocate(gltf->memory, images, 2 * sizeof *gltf->image_textures, "images");
-    for (size_t i = 0; gltf->image_textures && i < 2 * images; ++i) {
+    gltf->image_textures = burnish_allocate(
+        gltf->memory, images, BURNISH_GLTF_IMAGE_KINDS * sizeof *gltf->image_textures, "images");
+    for (size_t i = 0; gltf->image_textures && i < BURNISH_GLTF_IMAGE_KINDS * images; ++i) {
         gltf->image_textures[i] = -1;
     }
     gltf->skins = burnish_allocate_zeroed(gltf->memory, gltf->counts[BURNISH_GLTF_SKINS],
@@ -327,6 +327,7 @@ static void read_parts(burnish_gltf *gltf) {
         burnish_reader_warn_group(gltf->reader, &gltf->undrawn);
         burnish_reader_warn_group(gltf->reader, &gltf->rests);
         burnish_reader_warn_group(gltf->reader, &gltf->other_sets);
+        burnish_reader_warn_group(gltf->reader, &gltf->strengths);
         gltf->status = gltf->memory->status;
     }
 }

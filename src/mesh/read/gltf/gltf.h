@@ -145,13 +145,13 @@ typedef struct burnish_gltf {
     uint64_t variant;          /* number of the chosen variant; UINT64_MAX: none */
     uint32_t *mesh_primitives; /* of each mesh the first of them; one more for the end */
 
-    int *image_textures; /* two per item of IMAGES, as numbers and as colours: 1 + number of the
-                            texture, 0: can't be loaded, -1: not requested yet */
+    int *image_textures; /* BURNISH_GLTF_IMAGE_KINDS per item of IMAGES: 1 + number of the texture,
+                            0: can't be loaded, -1: not requested yet */
     int damaged_images;  /* damaged images in the file itself */
     struct burnish_gltf_ahead *ahead;
     unsigned texture_sets[2]; /* of the current material */
     int has_colors;           /* 1: a primitive has colours of vertices */
-    burnish_warning_group odd_values, undrawn, rests, other_sets;
+    burnish_warning_group odd_values, undrawn, rests, other_sets, strengths;
 } burnish_gltf;
 
 /* ---- gltf_buffers.c ---- */
@@ -345,11 +345,19 @@ void burnish_gltf_read_materials(burnish_gltf *gltf);
  * tie. The second is the one that most other textures use; BURNISH_GLTF_TEXCOORDS: there is none. */
 void burnish_gltf_texture_sets(const burnish_gltf *gltf, uint32_t material, unsigned sets[2]);
 
+/* What an image holds: numbers, colours (sRGB), or a number in its alpha. */
+typedef enum burnish_gltf_image_kind {
+    BURNISH_GLTF_NUMBERS,
+    BURNISH_GLTF_COLORS,
+    BURNISH_GLTF_ALPHA,
+    BURNISH_GLTF_IMAGE_KINDS
+} burnish_gltf_image_kind;
+
 /* How a material uses the texture that `object` names under a key; all 0 if it names no texture, or
  * the texture can't be loaded.
  *   strength  the member that scales it; NULL: not scaled */
 burnish_texture_use burnish_gltf_read_texture(burnish_gltf *gltf, uint32_t object, const char *key,
-                                              int is_color, const char *strength);
+                                              burnish_gltf_image_kind kind, const char *strength);
 
 /* The name of an image in messages. */
 typedef struct burnish_gltf_name {

@@ -106,6 +106,22 @@ static void read_alpha(burnish_gltf *gltf, uint32_t value, double alpha,
     }
 }
 
+/* KHR_materials_specular has a texture of strengths and one of colours. A material has one such
+ * texture: the colours, if the file has both. */
+static void read_specular(burnish_gltf *gltf, uint32_t value, burnish_texture_use *use) {
+    const uint32_t specular = burnish_gltf_extension(gltf, value, "KHR_materials_specular");
+    const uint32_t strength = burnish_gltf_object(gltf, specular, "specularTexture");
+    *use = burnish_gltf_read_texture(gltf, specular, "specularColorTexture", BURNISH_GLTF_COLORS,
+                                     NULL);
+    if (use->texture == 0) {
+        *use =
+            burnish_gltf_read_texture(gltf, specular, "specularTexture", BURNISH_GLTF_ALPHA, NULL);
+    } else if (strength != BURNISH_JSON_NONE) {
+        burnish_gltf_note(gltf, &gltf->strengths, strength,
+                          "ignored, as specularColorTexture is drawn");
+    }
+}
+
 /* Textures that multiply glTF's factors need the original base colour and factors; so do vertex
  * colours on a metal. */
 static void read_textures(burnish_gltf *gltf, uint32_t value, uint32_t glossy,
@@ -116,28 +132,30 @@ static void read_textures(burnish_gltf *gltf, uint32_t value, uint32_t glossy,
     gltf->reader->mesh->has_normal_textures |=
         burnish_json_member(&gltf->json, value, "normalTexture") != BURNISH_JSON_NONE;
     textures[BURNISH_TEXTURE_NORMAL] =
-        burnish_gltf_read_texture(gltf, value, "normalTexture", 0, "scale");
+        burnish_gltf_read_texture(gltf, value, "normalTexture", BURNISH_GLTF_NUMBERS, "scale");
     textures[BURNISH_TEXTURE_EMISSIVE] =
-        burnish_gltf_read_texture(gltf, value, "emissiveTexture", 1, NULL);
+        burnish_gltf_read_texture(gltf, value, "emissiveTexture", BURNISH_GLTF_COLORS, NULL);
     if (textures[BURNISH_TEXTURE_EMISSIVE].texture == 0 &&
         burnish_json_member(&gltf->json, value, "emissiveTexture") != BURNISH_JSON_NONE) {
         memset(material->emissive, 0, sizeof material->emissive); /* the texture is mostly black */
     }
-    textures[BURNISH_TEXTURE_OCCLUSION] =
-        burnish_gltf_read_texture(gltf, value, "occlusionTexture", 0, "strength");
+    textures[BURNISH_TEXTURE_OCCLUSION] = burnish_gltf_read_texture(
+        gltf, value, "occlusionTexture", BURNISH_GLTF_NUMBERS, "strength");
     if (glossy != BURNISH_JSON_NONE) {
         textures[BURNISH_TEXTURE_COLOR] =
-            burnish_gltf_read_texture(gltf, glossy, "diffuseTexture", 1, NULL);
-        textures[BURNISH_TEXTURE_SPECULAR] =
-            burnish_gltf_read_texture(gltf, glossy, "specularGlossinessTexture", 1, NULL);
+            burnish_gltf_read_texture(gltf, glossy, "diffuseTexture", BURNISH_GLTF_COLORS, NULL);
+        textures[BURNISH_TEXTURE_SPECULAR] = burnish_gltf_read_texture(
+            gltf, glossy, "specularGlossinessTexture", BURNISH_GLTF_COLORS, NULL);
         return;
     }
     textures[BURNISH_TEXTURE_COLOR] =
-        burnish_gltf_read_texture(gltf, metallic, "baseColorTexture", 1, NULL);
-    textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS] =
-        burnish_gltf_read_texture(gltf, metallic, "metallicRoughnessTexture", 0, NULL);
+        burnish_gltf_read_texture(gltf, metallic, "baseColorTexture", BURNISH_GLTF_COLORS, NULL);
+    read_specular(gltf, value, &textures[BURNISH_TEXTURE_SPECULAR]);
+    textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS] = burnish_gltf_read_texture(
+        gltf, metallic, "metallicRoughnessTexture", BURNISH_GLTF_NUMBERS, NULL);
     const int has_color = textures[BURNISH_TEXTURE_COLOR].texture > 0;
     material->is_metallic = textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS].texture > 0 ||
+                            textures[BURNISH_TEXTURE_SPECULAR].texture > 0 ||
                             (has_color && textures[BURNISH_TEXTURE_NORMAL].texture > 0) ||
                             ((has_color || gltf->has_colors) && material->metallic > 0);
     if (material->is_metallic || material->is_unlit) {

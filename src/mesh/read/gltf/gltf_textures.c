@@ -57,11 +57,33 @@ static int load_image(burnish_gltf *gltf, uint32_t image, int is_color) {
     return number;
 }
 
+/* A texture of numbers whose every channel is a texture's alpha. */
+static int copy_alpha(burnish_gltf *gltf, uint32_t image, int number) {
+    const burnish_texture from = gltf->reader->mesh->textures[number - 1];
+    const size_t count = (size_t)from.width * (size_t)from.height;
+    uint8_t *pixels = burnish_allocate(gltf->memory, count, 4, "textures");
+    int copy = 0;
+    for (size_t i = 0; pixels && i < count; ++i) {
+        memset(pixels + 4 * i, from.pixels[4 * i + 3], 4);
+    }
+    if (pixels) {
+        copy = burnish_reader_copy_texture(gltf->reader, burnish_json_at(&gltf->json, image),
+                                           from.name, from.width, from.height, pixels, 0);
+    }
+    burnish_release(gltf->memory->context, pixels);
+    burnish_gltf_is_fine(gltf);
+    return copy;
+}
+
 /* Each image is decoded once as numbers, and once as colours. */
-static int texture_of_image(burnish_gltf *gltf, uint32_t image, int is_color) {
-    int *number = &gltf->image_textures[2 * (size_t)image + (is_color ? 1 : 0)];
-    if (*number < 0) {
-        *number = load_image(gltf, gltf->lists[BURNISH_GLTF_IMAGES][image], is_color);
+static int texture_of_image(burnish_gltf *gltf, uint32_t image, burnish_gltf_image_kind kind) {
+    int *number = &gltf->image_textures[BURNISH_GLTF_IMAGE_KINDS * (size_t)image + kind];
+    const uint32_t value = gltf->lists[BURNISH_GLTF_IMAGES][image];
+    if (*number < 0 && kind == BURNISH_GLTF_ALPHA) {
+        const int numbers = texture_of_image(gltf, image, BURNISH_GLTF_NUMBERS);
+        *number = numbers > 0 ? copy_alpha(gltf, value, numbers) : 0;
+    } else if (*number < 0) {
+        *number = load_image(gltf, value, kind == BURNISH_GLTF_COLORS);
     }
     return *number;
 }
@@ -99,6 +121,8 @@ void burnish_gltf_texture_sets(const burnish_gltf *gltf, uint32_t material, unsi
                 {"pbrMetallicRoughness", "metallicRoughnessTexture", 2},
                 {"KHR_materials_pbrSpecularGlossiness", "diffuseTexture", 3},
                 {"KHR_materials_pbrSpecularGlossiness", "specularGlossinessTexture", 2},
+                {"KHR_materials_specular", "specularColorTexture", 2},
+                {"KHR_materials_specular", "specularTexture", 2},
                 {NULL, "normalTexture", 2},
                 {NULL, "occlusionTexture", 2},
                 {NULL, "emissiveTexture", 2}};
@@ -149,7 +173,7 @@ static void read_transform(burnish_gltf *gltf, uint32_t transform, burnish_textu
 }
 
 burnish_texture_use burnish_gltf_read_texture(burnish_gltf *gltf, uint32_t object, const char *key,
-                                              int is_color, const char *strength) {
+                                              burnish_gltf_image_kind kind, const char *strength) {
     burnish_texture_use use = {.strength = 1};
     const burnish_texture_use none = {0};
     const uint32_t info = burnish_gltf_object(gltf, object, key);
@@ -188,7 +212,7 @@ burnish_texture_use burnish_gltf_read_texture(burnish_gltf *gltf, uint32_t objec
         const double value = burnish_gltf_number(gltf, info, strength, 1);
         burnish_double_to_float(value, &use.strength);
     }
-    use.texture = image == BURNISH_GLTF_NONE ? 0 : texture_of_image(gltf, image, is_color);
+    use.texture = image == BURNISH_GLTF_NONE ? 0 : texture_of_image(gltf, image, kind);
     return use.texture > 0 ? use : none;
 }
 
