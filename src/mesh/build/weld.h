@@ -19,7 +19,8 @@
 burnish_status burnish_weld(const float *from, size_t count, burnish_tasks *tasks,
                             burnish_memory *memory, uint32_t *remap, float *to, size_t *unique);
 
-/* Words that a vertex of one position can differ in: normal, colour, tangent, two texture coordinates. */
+/* Words that a vertex of one position can differ in: normal, colour, tangent, and two times texture
+ * coordinates. */
 enum { BURNISH_WELD_KEY_WORDS = 12 };
 
 /* Something to be sorted by words; the value breaks ties, which makes the order total. */
