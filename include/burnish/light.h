@@ -24,7 +24,7 @@
  * colour L W / pi.
  *
  * One area light can cast a shadow (burnish_render_options.shadow), as if all of its light came
- * from its centre. Ambient occlusion darkens area lights as it does all light.
+ * from its centre. Ambient occlusion darkens the other area lights as it does all light.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors

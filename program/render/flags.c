@@ -422,9 +422,11 @@ static const cli_flag flags[] = {
                shading.occlusion),
      .value_type = CLI_TYPE_INTEGER, .svg = CLI_SVG_REFUSED, CLI_RANGE(1, BURNISH_OCCLUSION_MAX),
      .default_label = "the look's", .aliases = "ambient-occlusion,ao", .off = "none",
-     .manual = "Ambient occlusion darkens creases, holes and undersides. _N_ is the number of "
-               "directions from which light arrives, or *none*; odd numbers are rounded up. More "
-               "directions are smoother and slower."},
+     .manual =
+         "Ambient occlusion darkens creases, holes and undersides, the less the brighter their "
+         "colour is, because surfaces light each other. _N_ is the number of directions from "
+         "which light arrives, or *none*; odd numbers are rounded up. More directions are "
+         "smoother and slower."},
     {DRAW_SWITCH("ground", "draw a soft shadow below the object", shading.ground),
      .svg = CLI_SVG_REFUSED, .common = 1, .aliases = "contact-shadow,ground-shadow",
      .manual = "A soft shadow on the horizontal plane through the object's lowest point, if the "

@@ -10,8 +10,8 @@
 #include "render/space.h"
 #include "simd/isa.h"
 
-/* Normal, colour, position, w, first light, x, y, and BURNISH_TEXTURE_STREAMS. */
-enum { BURNISH_BATCH_STREAMS = 13 + 18 };
+/* Normal, colour, position, w, first light, openness, x, y, and BURNISH_TEXTURE_STREAMS. */
+enum { BURNISH_BATCH_STREAMS = 14 + 18 };
 
 /* Without a lobe, and the family's two: the first of burnish_lobe_body. */
 enum { BURNISH_CODE_BODIES = 4 };
@@ -94,6 +94,14 @@ typedef struct burnish_render_ops {
      * vectors. Reads and writes whole vectors. */
     void (*occlude)(const struct burnish_occlusion_lookup *lookup, const float *const position[3],
                     const float *const normal[3], size_t count, float *open);
+
+    /* Multiplies the light of count points by what they see of the sky, `open`, and adds what
+     * surfaces around them send there.
+     *   albedo  per channel; factor: of each point, NULL: 1
+     * Reads and writes whole vectors. */
+    void (*add_bounces)(const struct burnish_occlusion_lookup *lookup, const float albedo[3],
+                        const float *const factor[3], const float *open, size_t count,
+                        float *const rgb[3]);
 
     /* Bits of the 16 pixels of a block that are shown, >= 0 (NULL: all); *alike: bits of those whose
      * squared distance from the first shown is below limits[0], and the cosine above limits[1]. */

@@ -12,8 +12,11 @@ static double sky(double height) {
     return 0.35 + 0.65 * (0.5 + 0.5 * height);
 }
 
-/* Linear red of every pixel, seen along `direction` in parallel projection, one sample each. */
-static float *draw(const burnish_mesh *mesh, const double direction[3], int occlusion) {
+enum { AMBIENT, SHADOW };
+
+/* Linear colours of every pixel, seen along `direction` in parallel projection, one sample each.
+ * light: the same from everywhere, or directional with its shadow. */
+static float *draw(const burnish_mesh *mesh, const double direction[3], int occlusion, int light) {
     float *pixels = malloc((size_t)SIZE * SIZE * 4 * sizeof *pixels);
     burnish_framing framing = burnish_framing_default();
     burnish_render_options options = burnish_render_options_default();
@@ -25,13 +28,37 @@ static float *draw(const burnish_mesh *mesh, const double direction[3], int occl
     burnish_camera_frame(mesh, &framing, &options.camera, &error);
     options.width = options.height = SIZE;
     options.samples = 1;
-    options.light_count = 0;
-    options.ambient_light[0] = 1;
+    options.light_count = options.shadow = light == SHADOW;
+    options.lights[0] = (burnish_light){.vector = {0.4, 0.2, 1}, .color = {1, 1, 1}};
+    set_three(options.ambient_light, light == AMBIENT);
     options.occlusion = occlusion;
     options.occlusion_strength = 1;
     draw_floats(mesh, &options, pixels, NULL);
     return pixels;
 }
+
+static void set_colors(burnish_mesh *mesh, const float ambient[3], const float diffuse[3]) {
+    burnish_material material = *burnish_mesh_get_material(mesh, 0);
+    memcpy(material.ambient, ambient, sizeof material.ambient);
+    memcpy(material.diffuse, diffuse, sizeof material.diffuse);
+    set_three(material.specular, 0);
+    material.has_diffuse = 1;
+    set_material(mesh, &material);
+}
+
+static const float GREY[3] = {0.5f, 0.5f, 0.5f}, BLACK[3] = {0, 0, 0};
+
+/* A floor and a wall, seen from above. */
+static burnish_mesh *make_wall(void) {
+    static const float positions[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, -1, -1, 1, -1, 1, 1};
+    static const uint32_t indices[] = {0, 1, 2, 0, 2, 3, 0, 3, 5, 0, 5, 4};
+    burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 6, indices, 4);
+    arrays.up_axis[0] = arrays.up_axis[1] = 0;
+    arrays.up_axis[2] = 1;
+    return create_mesh(&arrays, NULL);
+}
+
+static const double DOWN[] = {0, 0, -1};
 
 /* The share of the sky that the wall x = -1, abs(y) < 1, 0 < z < 1 hides from (x, 0, 0), whose
  * normal is z: cos dA / r^2 over the wall, over the same integral of the hemisphere. */
@@ -50,15 +77,10 @@ static double hidden_by_wall(double x) {
 
 /* Few directions also approximate the integral: each represents a cone. */
 static void test_wall(int directions, double tolerance) {
-    static const float positions[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, -1, -1, 1, -1, 1, 1};
-    static const uint32_t indices[] = {0, 1, 2, 0, 2, 3, 0, 3, 5, 0, 5, 4};
-    static const double down[] = {0, 0, -1};
-    burnish_mesh_description arrays = describe_arrays(positions, NULL, NULL, 6, indices, 4);
     double worst = 0;
-    arrays.up_axis[0] = arrays.up_axis[1] = 0;
-    arrays.up_axis[2] = 1;
-    burnish_mesh *mesh = create_mesh(&arrays, NULL);
-    float *open = draw(mesh, down, 0), *occluded = draw(mesh, down, directions);
+    burnish_mesh *mesh = make_wall();
+    set_colors(mesh, GREY, BLACK); /* nothing bounces */
+    float *open = draw(mesh, DOWN, 0, AMBIENT), *occluded = draw(mesh, DOWN, directions, AMBIENT);
     int first = SIZE, last = 0;
     for (int x = 0; x < SIZE; ++x) { /* the floor's columns */
         if (open[4 * (SIZE / 2 * SIZE + x)] > 0 && open[4 * (SIZE / 2 * SIZE + x)] < 0.9f) {
@@ -88,11 +110,68 @@ static void test_sphere(void) {
     static const double along[] = {1, -2, 3};
     double worst = 0;
     burnish_mesh *mesh = load_mesh(":sphere", NULL);
-    float *open = draw(mesh, along, 0), *occluded = draw(mesh, along, 64);
+    set_colors(mesh, GREY, BLACK);
+    float *open = draw(mesh, along, 0, AMBIENT), *occluded = draw(mesh, along, 64, AMBIENT);
     for (int i = 0; i < SIZE * SIZE; ++i) {
         worst = fmax(worst, 1 - (double)(occluded[4 * i] / open[4 * i]));
     }
     CHECK(worst < 0.005, "a sphere hides %g of the sky from itself", worst);
+    free(open);
+    free(occluded);
+    burnish_mesh_destroy(mesh);
+}
+
+/* In a bowl, a point gets the same from equal areas of the sphere around it, wherever they are. So the
+ * light E after any number of reflections is the same everywhere: E = f + (1 - f) r E, if a share f of
+ * it comes from outside and the surface reflects r. */
+static void test_bowl(void) {
+    enum { RINGS = 24, SECTORS = 64 };
+    static const float albedo[3] = {0.8f, 0.5f, 0.001f};
+    float positions[(RINGS + 1) * SECTORS][3];
+    uint32_t indices[RINGS * SECTORS][6];
+    double worst = 0;
+    for (uint32_t i = 0; i < (RINGS + 1) * SECTORS; ++i) {
+        const double polar = acos(0) * (i / SECTORS) / RINGS;
+        const double turn = 4 * acos(0) * (i % SECTORS) / SECTORS;
+        positions[i][0] = (float)(sin(polar) * cos(turn));
+        positions[i][1] = (float)(sin(polar) * sin(turn));
+        positions[i][2] = (float)-cos(polar);
+    }
+    for (uint32_t i = 0; i < RINGS * SECTORS; ++i) {
+        const uint32_t next = i % SECTORS == SECTORS - 1 ? i + 1 - SECTORS : i + 1;
+        const uint32_t corners[] = {i, i + SECTORS, next, next, i + SECTORS, next + SECTORS};
+        memcpy(indices[i], corners, sizeof corners);
+    }
+    burnish_mesh_description arrays = describe_arrays(
+        positions[0], NULL, NULL, (RINGS + 1) * SECTORS, indices[0], 2 * RINGS * SECTORS);
+    burnish_mesh *mesh = create_mesh(&arrays, NULL);
+    set_colors(mesh, albedo, albedo);
+    float *light = draw(mesh, DOWN, 128, AMBIENT);
+    for (int i = SIZE / 3; i < 2 * SIZE / 3; ++i) {
+        const float *at = light + 4 * (SIZE / 2 * SIZE + i);
+        const double f = (double)(at[2] / albedo[2]);
+        CHECK(f > 0.3 && f < 0.7, "a bowl sees %g of the sky", f);
+        for (int k = 0; k < 2; ++k) {
+            const double r = (double)albedo[k], found = (double)at[k] / r;
+            worst = fmax(worst, fabs(found - f / (1 - (1 - f) * r)));
+        }
+    }
+    CHECK(worst < 0.03, "in a bowl, reflected light is up to %g off", worst);
+    free(light);
+    burnish_mesh_destroy(mesh);
+}
+
+/* A light whose shadow is drawn is not darkened by occlusion as well. */
+static void test_shadowed_light(void) {
+    static const float dark[3] = {0.001f, 0.001f, 0.001f};
+    double worst = 0;
+    burnish_mesh *mesh = make_wall();
+    set_colors(mesh, dark, dark); /* nothing bounces */
+    float *open = draw(mesh, DOWN, 0, SHADOW), *occluded = draw(mesh, DOWN, 64, SHADOW);
+    for (int i = 0; i < SIZE * SIZE; ++i) {
+        worst = fmax(worst, fabs(1 - (double)(occluded[4 * i] / open[4 * i])));
+    }
+    CHECK(worst < 1e-4, "occlusion takes %g of a light whose shadow is drawn", worst);
     free(open);
     free(occluded);
     burnish_mesh_destroy(mesh);
@@ -130,6 +209,8 @@ int main(int count, char **arguments) {
     RUN(test_wall(72, 0.04));
     RUN(test_wall(54, 0.045));
     RUN(test_sphere());
+    RUN(test_bowl());
+    RUN(test_shadowed_light());
     RUN(test_exposure(BURNISH_LOOK_THREE_POINT, 222, 238));
     RUN(test_exposure(BURNISH_LOOK_STUDIO, 238, 252));
     return test_end("occlusion");

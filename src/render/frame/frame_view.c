@@ -283,13 +283,24 @@ static burnish_status fold_unlit(const burnish_kernels_lighting *lighting,
     return burnish_shader_fold(&unlit, &drawn, lobe, NULL, shader, error);
 }
 
-/* Folds each material with the lights. */
+/* White that reflects all light: what arrives. */
+static const burnish_material WHITE = {.ambient = {1, 1, 1}, .diffuse = {1, 1, 1}, .exponent = 1};
+
+/* What a material reflects of light that arrives by other surfaces; unlit ones nothing. */
+static void store_albedo(const burnish_material *material, int is_base_ambient, float albedo[3]) {
+    for (int k = 0; k < 3; ++k) {
+        const float own = is_base_ambient ? material->ambient[k] : material->diffuse[k];
+        albedo[k] = material->is_unlit ? 0 : own;
+    }
+}
+
+/* Folds each material with the lights, and white after them. */
 static burnish_status fold_materials(const burnish_drawn_mesh *mesh,
                                      const burnish_render_options *options,
                                      const burnish_kernels_lighting *lighting,
                                      burnish_shaders *shaders, burnish_view *view,
                                      burnish_memory *memory) {
-    const size_t count = mesh->material_count;
+    const size_t count = mesh->material_count + 1;
     const size_t lights = (size_t)lighting->light_count;
     const int has_colors = mesh->view->colors && !mesh->ignore_colors;
     const drawn_lobe exact = {.lobe = {.kind = BURNISH_LOBE_EXACT}, .scale = 1};
@@ -304,8 +315,10 @@ static burnish_status fold_materials(const burnish_drawn_mesh *mesh,
                                               count * lights, sizeof *shaders->lights, "lights");
     status = memory->status;
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
-        const burnish_material *material = burnish_mesh_get_material(mesh->mesh, i);
-        const drawn_lobe *lobe = options->lobe.by_material && material->has_exponent
+        const int is_white = i + 1 == count;
+        const burnish_material *material =
+            is_white ? &WHITE : burnish_mesh_get_material(mesh->mesh, i);
+        const drawn_lobe *lobe = is_white || (options->lobe.by_material && material->has_exponent)
                                      ? &exact
                                      : known_lobe(known, &options->lobe, material->exponent);
         const burnish_material drawn = drawn_material(material, has_colors, lobe->scale);
@@ -315,6 +328,8 @@ static burnish_status fold_materials(const burnish_drawn_mesh *mesh,
                      : burnish_shader_fold(lighting, &drawn, &lobe->lobe,
                                            lights ? shaders->lights + i * lights : NULL,
                                            &shaders->items[i], memory->error);
+        store_albedo(&drawn, burnish_has_roughness(material) && !material->is_metallic,
+                     shaders->items[i].albedo);
     }
     return status;
 }
@@ -385,6 +400,7 @@ static void make_shading(const burnish_kernels_lighting *lighting,
                          const burnish_render_options *options, const burnish_shaders *shaders,
                          size_t material_count, burnish_shading *shading) {
     shading->shaders = shaders->items;
+    shading->white = &shaders->items[material_count];
     shading->mixed_body = mixed_body(shaders->items, material_count);
     shading->is_alike =
         shading->mixed_body != BURNISH_LOBE_BODY_NONE && are_alike(shaders->items, material_count);

@@ -28,7 +28,7 @@ typedef struct burnish_view {
 /* A frame's materials, each folded with the lights. Owned; all zero before the first frame, a later
  * frame uses the arrays again. */
 typedef struct burnish_shaders {
-    burnish_kernels_shader *items;   /* one per material */
+    burnish_kernels_shader *items;   /* one per material, and white */
     burnish_light_constants *lights; /* light_count per shader */
     size_t item_capacity, light_capacity;
 } burnish_shaders;

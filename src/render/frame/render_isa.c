@@ -22,6 +22,7 @@ const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD) = {
     OP(collect_material),
     OP(scatter_material),
     OP(occlude),
+    OP(add_bounces),
     OP(cast_shadow),
     OP(add_silhouette),
     OP(shadow_ground),

@@ -115,6 +115,44 @@ static burnish_status update_maps(burnish_call *d, const double eye[3],
                                           &renderer->tasks, &d->memory, lookup);
 }
 
+/* The mean light of the surfaces that are seen, on white: of a sphere in the middle of the object as
+ * the camera sees it. */
+static void find_mean_light(const burnish_call *d, float mean[3]) {
+    enum { COUNT = BURNISH_AREA_WHITE_MAX };
+    const double golden_angle = 2.39996322972865332;
+    const burnish_shading *shading = &d->view.shading;
+    const burnish_area_view *view = &d->view.area;
+    float normal[3][COUNT], position[3][COUNT], w[COUNT], light[3][COUNT];
+    float *const rgb[3] = {light[0], light[1], light[2]};
+    for (int i = 0; i < COUNT; ++i) { /* evenly over the disc that is seen */
+        const double squared = (i + 0.5) / COUNT, radius = burnish_sqrt(squared);
+        double sine, cosine;
+        burnish_sincos(golden_angle * i, &sine, &cosine);
+        const double n[3] = {radius * cosine, radius * sine, burnish_sqrt(1 - squared)};
+        for (int k = 0; k < 3; ++k) {
+            normal[k][i] = (float)(n[0] * view->axes[0][k] + n[1] * view->axes[1][k] +
+                                   n[2] * view->axes[2][k]);
+            position[k][i] = (float)-view->eye[k];
+        }
+        w[i] = 1;
+    }
+    const burnish_kernels_points points = {.normal = {normal[0], normal[1], normal[2]},
+                                           .position = {position[0], position[1], position[2]},
+                                           .w = w};
+    shading->kernels->shade[shading->white->lobe.body][shading->white->geometry]
+                           [BURNISH_SHADE_FLOAT](shading->white, &points, COUNT, NULL, rgb);
+    if (shading->area) {
+        burnish_area_add_white(shading->area, shading->kernels, &points, COUNT, rgb);
+    }
+    for (int k = 0; k < 3; ++k) {
+        float sum = 0;
+        for (int i = 0; i < COUNT; ++i) {
+            sum += light[k][i];
+        }
+        mean[k] = sum / COUNT;
+    }
+}
+
 /* What ambient occlusion needs of the mesh. */
 static burnish_status update_occlusion(burnish_call *d) {
     d->view.shading.occlusion = NULL;
@@ -123,6 +161,7 @@ static burnish_status update_occlusion(burnish_call *d) {
     }
     d->view.occlusion.strength = d->options->occlusion_strength;
     d->view.shading.occlusion = &d->view.occlusion;
+    find_mean_light(d, d->view.occlusion.mean);
     const burnish_status status = update_maps(d, d->view.eye, &d->view.occlusion);
     d->report.occlusion_directions = d->view.occlusion.count;
     return status;

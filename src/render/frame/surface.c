@@ -176,6 +176,9 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
         brought.first_light = group->lit;
         add_stream(&streams, points->first_light, group->lit);
     }
+    if (shading->occlusion) {
+        add_stream(&streams, scratch->share.open, group->open);
+    }
     for (int k = 0; shading->texturing && k < BURNISH_TEXTURE_STREAMS; ++k) {
         if (k < BURNISH_TEXTURE_SHIFT_X ||
             (k < BURNISH_TEXTURE_SECOND ? scratch->texture.has_shifts
@@ -192,6 +195,10 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
             part.count = size;
             shade_material(shading, &part, &brought, scratch->texture.brought, material, scratch,
                            light);
+            if (shading->occlusion) {
+                burnish_add_bounces(shading, &brought, size, material, group->open,
+                                    &scratch->texture, light);
+            }
             shading->ops->scatter_material(material, batch->material, size, group->starts, shaded,
                                            rgb);
             if (shading->texturing && shading->texturing->materials[material].is_alpha) {
@@ -199,20 +206,6 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
             }
         }
     }
-}
-
-static void occlude_batch(const burnish_shading *shading, const burnish_fragment_batch *batch,
-                          const burnish_kernels_points *points, burnish_share_scratch *scratch,
-                          float *const rgb[3]) {
-    burnish_share_points shared = {.w = points->w,
-                                   .pixels = batch->pixels,
-                                   .first_pixel = batch->first_pixel,
-                                   .shown = batch->shown};
-    for (int k = 0; k < 3; ++k) {
-        shared.position[k] = points->position[k];
-        shared.normal[k] = points->normal[k];
-    }
-    burnish_occlude_points(shading->occlusion, shading->ops, &shared, batch->count, scratch, rgb);
 }
 
 /* rgb gets the colours: linear light, >= 0, not clamped above. */
@@ -243,12 +236,19 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
         shading->ops->cast_shadow(shading->shadow, &points, (size_t)batch->count, scratch->lit);
         points.first_light = scratch->lit;
     }
+    if (shading->occlusion) {
+        burnish_occlude_batch(shading, batch, &points, scratch);
+    }
     if (shading->texturing) {
         locate_textures(shading, batch, &scratch->texture);
     }
     if (has_one_material(batch)) {
         const int material = batch->material ? batch->material[0] : 0;
         shade_material(shading, batch, &points, scratch->texture.points, material, scratch, rgb);
+        if (shading->occlusion) {
+            burnish_add_bounces(shading, &points, batch->count, material, scratch->share.open,
+                                &scratch->texture, rgb);
+        }
         if (shading->texturing && shading->texturing->materials[material].is_alpha) {
             memcpy(scratch->texture.alpha, scratch->texture.opacity, sizeof scratch->texture.alpha);
             for (int s = 0; s < smooth_samples(shading, material, scratch); ++s) {
@@ -260,11 +260,11 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
                !shading->texturing && !points.first_light) {
         shading->kernels->shade_mixed[shading->mixed_body][shading->is_alike](
             shading->shaders, batch->material, &points, (size_t)batch->count, rgb);
+        if (shading->occlusion) {
+            burnish_add_bounces_mixed(shading, batch, scratch, rgb);
+        }
     } else {
         shade_mixed(shading, batch, &points, scratch, rgb);
-    }
-    if (shading->occlusion) {
-        occlude_batch(shading, batch, &points, &scratch->share, rgb);
     }
 }
 
@@ -305,7 +305,7 @@ static const float PIXEL_Y[BURNISH_BLOCK_ROW_PIXELS] = {
 _Static_assert((int)BURNISH_BLOCK_ROW_PIXELS == 256 &&
                    (int)BURNISH_BLOCK_ROW_PIXELS <= (int)BURNISH_SHADE_BATCH,
                "a row of blocks is one batch");
-_Static_assert((int)BURNISH_BATCH_STREAMS == 13 + (int)BURNISH_TEXTURE_STREAMS, "all streams fit");
+_Static_assert((int)BURNISH_BATCH_STREAMS == 14 + (int)BURNISH_TEXTURE_STREAMS, "all streams fit");
 _Static_assert((int)BURNISH_FRAGMENT_BATCH <= (int)BURNISH_SHADE_BATCH,
                "so is a group of fragments");
 

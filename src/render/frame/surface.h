@@ -71,6 +71,7 @@ typedef struct burnish_shading {
     const burnish_kernels *kernels;
     const burnish_render_ops *ops;
     const burnish_kernels_shader *shaders;            /* one per material */
+    const burnish_kernels_shader *white;              /* all light is diffusely reflected */
     burnish_rays rays;                                /* from the eye */
     int needs_position;                               /* 1: a point light or a local viewer */
     const struct burnish_occlusion_lookup *occlusion; /* NULL: none */
@@ -100,7 +101,7 @@ typedef struct burnish_surface {
 typedef struct burnish_material_group {
     float normal[3][BURNISH_SHADE_BATCH], diffuse[3][BURNISH_SHADE_BATCH];
     float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
-    float lit[BURNISH_SHADE_BATCH];
+    float lit[BURNISH_SHADE_BATCH], open[BURNISH_SHADE_BATCH];
     float x[BURNISH_SHADE_BATCH], y[BURNISH_SHADE_BATCH];
     float light[3][BURNISH_SHADE_BATCH];
     int32_t left[BURNISH_SHADE_BATCH];   /* materials not shaded yet, -1 for the others */
@@ -114,7 +115,8 @@ typedef struct burnish_fragment_scratch {
     int32_t material[BURNISH_SHADE_BATCH];
     float divided_normal[3][BURNISH_SHADE_BATCH], divided_color[3][BURNISH_SHADE_BATCH];
     float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
-    float lit[BURNISH_SHADE_BATCH]; /* what of the first light reaches a point */
+    float lit[BURNISH_SHADE_BATCH];       /* what of the first light reaches a point */
+    float albedo[3][BURNISH_SHADE_BATCH]; /* of points of several materials */
     burnish_material_group group;
     burnish_share_scratch share;
     burnish_texture_scratch texture;
@@ -131,6 +133,25 @@ typedef struct burnish_row_light {
     float hatch[BURNISH_BLOCK_ROW_PIXELS];  /* where there are caps: burnish_cap_hatch */
     float rgb[3][BURNISH_BLOCK_ROW_PIXELS]; /* linear light, >= 0 */
 } burnish_row_light;
+
+/* ---- Occlusion and what bounces (bounces.c) ---- */
+
+/* Writes to scratch->share.open what points see of the sky. Occlusion must not darken the first light
+ * as well where its shadow is drawn: it is divided by what it will be multiplied by. */
+void burnish_occlude_batch(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                           const burnish_kernels_points *points, burnish_fragment_scratch *scratch);
+
+/* Multiplies the light of shaded points of one material by `open`, what they see of the sky, and adds
+ * what surfaces around them send there. */
+void burnish_add_bounces(const burnish_shading *shading, const burnish_kernels_points *points,
+                         int count, int material, const float *open,
+                         const burnish_texture_scratch *textures, float *const rgb[3]);
+
+/* The same of a batch of several materials without textures or vertex colours. */
+void burnish_add_bounces_mixed(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                               burnish_fragment_scratch *scratch, float *const rgb[3]);
+
+/* ---- Tiles and their fragments (surface.c) ---- */
 
 /* The planes that shading needs of a tile. */
 int burnish_surface_planes(const burnish_surface *surface);

@@ -160,7 +160,7 @@ static void look_up(const burnish_occlusion_lookup *lookup, const burnish_render
 
 void burnish_occlude_points(const burnish_occlusion_lookup *lookup, const burnish_render_ops *ops,
                             const burnish_share_points *points, int count,
-                            burnish_share_scratch *scratch, float *const rgb[3]) {
+                            burnish_share_scratch *scratch) {
     prepare_points(ops, points, count, scratch);
     for (int i = 0; i < count; ++i) {
         scratch->open[i] = 1.0f;
@@ -177,11 +177,6 @@ void burnish_occlude_points(const burnish_occlusion_lookup *lookup, const burnis
         again.shown = shown;
         if (none == 0) {
             look_up(lookup, ops, &again, count, 2, scratch);
-        }
-    }
-    for (int i = 0; i < count; ++i) {
-        for (int k = 0; k < 3; ++k) {
-            rgb[k][i] *= scratch->open[i];
         }
     }
 }

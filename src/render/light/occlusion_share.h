@@ -34,9 +34,9 @@ typedef struct burnish_share_scratch {
     uint16_t first[BURNISH_SHARE_SQUARES]; /* key of a square, if square[key] is that square */
 } burnish_share_scratch;
 
-/* Multiplies the points' light by what they see of the sky. */
+/* Writes what the points see of the sky, less than 1 by at most the strength, to scratch->open. */
 void burnish_occlude_points(const burnish_occlusion_lookup *lookup, const burnish_render_ops *ops,
                             const burnish_share_points *points, int count,
-                            burnish_share_scratch *scratch, float *const rgb[3]);
+                            burnish_share_scratch *scratch);
 
 #endif

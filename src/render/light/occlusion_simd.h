@@ -169,6 +169,35 @@ static void occlude(const burnish_occlusion_lookup *lookup, const float *const p
     }
 }
 
+/* ---- Light that bounces ---- */
+
+/* What arrives of uniform light after any number of reflections, less what arrives directly (Jimenez
+ * et al., Practical Realtime Strategies for Accurate Indirect Occlusion, 2016): a polynomial of
+ * degree 3 in the openness, its coefficients linear in the albedo. Surfaces around a point face other
+ * ways, so it is a share of the mean light of all that are seen, not of the point's own. */
+BURNISH_INLINE vf bounced_share(vf open, vf albedo) {
+    const vf a = vf_sub(vf_mul(vf_set(2.0404f), albedo), vf_set(0.3324f));
+    const vf b = vf_sub(vf_set(0.6417f), vf_mul(vf_set(4.7951f), albedo));
+    const vf c = vf_add(vf_mul(vf_set(2.7552f), albedo), vf_set(0.6903f));
+    const vf all = vf_mul(vf_add(vf_mul(vf_add(vf_mul(a, open), b), open), c), open);
+    return vf_max(vf_sub(all, open), vf_set(0.0f));
+}
+
+static void add_bounces(const burnish_occlusion_lookup *lookup, const float albedo[3],
+                        const float *const factor[3], const float *open, size_t count,
+                        float *const rgb[3]) {
+    for (size_t i = 0; i < count; i += LANES) {
+        const vf seen = vf_load(open + i);
+        for (int k = 0; k < 3; ++k) {
+            const vf own = factor[k] ? vf_load(factor[k] + i) : vf_set(1.0f);
+            const vf reflected = vf_mul(vf_set(albedo[k]), own);
+            const vf around = vf_mul(reflected, vf_set(lookup->mean[k]));
+            const vf direct = vf_mul(vf_load(rgb[k] + i), seen);
+            vf_store(rgb[k] + i, vf_add(direct, vf_mul(around, bounced_share(seen, reflected))));
+        }
+    }
+}
+
 /* ---- Sharing ---- */
 
 static unsigned compare_block(const float *const position[3], const float *const normal[3],
