@@ -60,7 +60,7 @@ struct burnish_kernels_shader {
     float cutoff; /* cosines below it are surely dark; -1 where there are none */
     float viewer[3];
     float ambient[2][3];
-    float albedo[3]; /* of light that arrives by other surfaces; 0 unless the caller sets it */
+    float albedo[3]; /* of light that arrives by way of other surfaces; the renderer sets it */
     burnish_lobe_constants lobe;
 };
 

@@ -121,31 +121,64 @@ static void test_sphere(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* In a bowl, a point gets the same from equal areas of the sphere around it, wherever they are. So the
- * light E after any number of reflections is the same everywhere: E = f + (1 - f) r E, if a share f of
- * it comes from outside and the surface reflects r. */
-static void test_bowl(void) {
-    enum { RINGS = 24, SECTORS = 64 };
-    static const float albedo[3] = {0.8f, 0.5f, 0.001f};
-    float positions[(RINGS + 1) * SECTORS][3];
-    uint32_t indices[RINGS * SECTORS][6];
-    double worst = 0;
-    for (uint32_t i = 0; i < (RINGS + 1) * SECTORS; ++i) {
+/* Where the colours of a bowl are: the paths of shading differ. */
+enum { OF_MATERIAL, OF_VERTICES, OF_TWO_MATERIALS, OF_METALLIC_ROUGHNESS };
+
+enum { RINGS = 24, SECTORS = 64, BOWL_POINTS = (RINGS + 1) * SECTORS, QUADS = RINGS * SECTORS };
+
+/* Half of a sphere, open toward +z. */
+static burnish_mesh *make_bowl(int way, const float albedo[3], const uint8_t codes[3]) {
+    static float positions[BOWL_POINTS][3];
+    static uint8_t colors[BOWL_POINTS][4];
+    static uint32_t indices[QUADS][6];
+    static uint16_t numbers[2 * QUADS];
+    burnish_material materials[2];
+    for (uint32_t i = 0; i < BOWL_POINTS; ++i) {
         const double polar = acos(0) * (i / SECTORS) / RINGS;
         const double turn = 4 * acos(0) * (i % SECTORS) / SECTORS;
         positions[i][0] = (float)(sin(polar) * cos(turn));
         positions[i][1] = (float)(sin(polar) * sin(turn));
         positions[i][2] = (float)-cos(polar);
+        memcpy(colors[i], codes, 3);
+        colors[i][3] = 255;
     }
-    for (uint32_t i = 0; i < RINGS * SECTORS; ++i) {
+    for (uint32_t i = 0; i < QUADS; ++i) {
         const uint32_t next = i % SECTORS == SECTORS - 1 ? i + 1 - SECTORS : i + 1;
         const uint32_t corners[] = {i, i + SECTORS, next, next, i + SECTORS, next + SECTORS};
         memcpy(indices[i], corners, sizeof corners);
+        numbers[2 * i] = way == OF_TWO_MATERIALS && i % 2;
+        numbers[2 * i + 1] = numbers[2 * i];
     }
-    burnish_mesh_description arrays = describe_arrays(
-        positions[0], NULL, NULL, (RINGS + 1) * SECTORS, indices[0], 2 * RINGS * SECTORS);
-    burnish_mesh *mesh = create_mesh(&arrays, NULL);
-    set_colors(mesh, albedo, albedo);
+    for (int i = 0; i < 2; ++i) {
+        materials[i] = burnish_material_default();
+        set_three(materials[i].specular, 0);
+        materials[i].has_diffuse = way != OF_VERTICES;
+        materials[i].is_metallic = way == OF_METALLIC_ROUGHNESS;
+        materials[i].roughness = (float)materials[i].is_metallic;
+        memcpy(materials[i].ambient, albedo, sizeof materials[i].ambient);
+        memcpy(materials[i].diffuse, albedo, sizeof materials[i].diffuse);
+    }
+    burnish_mesh_description arrays =
+        describe_arrays(positions[0], NULL, way == OF_VERTICES ? colors[0] : NULL, BOWL_POINTS,
+                        indices[0], 2 * QUADS);
+    arrays.triangle_materials = (burnish_array){numbers, 2 * QUADS, 0};
+    arrays.materials = materials;
+    arrays.material_count = 2;
+    return create_mesh(&arrays, NULL);
+}
+
+/* In a bowl, a point gets the same from equal areas of the sphere around it, wherever they are. So the
+ * light E after any number of reflections is the same everywhere: E = f + (1 - f) r E, if a share f of
+ * it comes from outside and the surface reflects r. */
+static void test_bowl(int way) {
+    static const uint8_t codes[3] = {231, 188, 1};
+    float albedo[3];
+    double worst = 0;
+    for (int k = 0; k < 3; ++k) { /* sRGB */
+        const double code = codes[k] / 255.0;
+        albedo[k] = (float)(code < 0.04 ? code / 12.92 : pow((code + 0.055) / 1.055, 2.4));
+    }
+    burnish_mesh *mesh = make_bowl(way, albedo, codes);
     float *light = draw(mesh, DOWN, 128, AMBIENT);
     for (int i = SIZE / 3; i < 2 * SIZE / 3; ++i) {
         const float *at = light + 4 * (SIZE / 2 * SIZE + i);
@@ -209,7 +242,9 @@ int main(int count, char **arguments) {
     RUN(test_wall(72, 0.04));
     RUN(test_wall(54, 0.045));
     RUN(test_sphere());
-    RUN(test_bowl());
+    for (int way = OF_MATERIAL; way <= OF_METALLIC_ROUGHNESS; ++way) {
+        RUN(test_bowl(way));
+    }
     RUN(test_shadowed_light());
     RUN(test_exposure(BURNISH_LOOK_THREE_POINT, 222, 238));
     RUN(test_exposure(BURNISH_LOOK_STUDIO, 238, 252));
