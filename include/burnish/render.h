@@ -61,6 +61,18 @@ typedef enum burnish_counts {
     BURNISH_COUNTS_AREA /* ALL and hidden_share */
 } burnish_counts;
 
+/* From linear light to the 8-bit values of an image. */
+typedef enum burnish_tone_mapping {
+    BURNISH_TONES_NONE,    /* light above 1 is clamped */
+    BURNISH_TONES_NEUTRAL, /* Khronos PBR Neutral (2024): colours up to 0.76 keep their hue and
+                              saturation, brighter ones approach white */
+    BURNISH_TONES_FILMIC,  /* Narkowicz' fit of ACES (2016), for each channel: more contrast */
+    BURNISH_TONES_COUNT
+} burnish_tone_mapping;
+
+/* The range of exposure, in stops. */
+#define BURNISH_EXPOSURE_MAX 20
+
 /* The most directions of ambient occlusion, and the automatic number: from 72 (48 in small images)
  * for up to 8,192 triangles down to 18 for more than a million, 36 for points. */
 #define BURNISH_OCCLUSION_MAX 256
@@ -140,11 +152,16 @@ typedef struct burnish_render_options {
     double
         environment_turn; /* degrees by which it is turned about up, counter-clockwise from above */
     int environment_follows_camera; /* 1: it turns with the camera, its up is the camera's y axis */
-    burnish_edge_flags edges;       /* 0: none */
-    float edge_width;               /* width of outlines (steps in depth) in pixels, (0,
+    /* Targets of linear light get neither exposure nor tone mapping, and `background` is shown as it
+     * is; an environment behind the object gets both. */
+    float exposure; /* stops, [-BURNISH_EXPOSURE_MAX, BURNISH_EXPOSURE_MAX]: light times
+                       2^exposure */
+    burnish_tone_mapping tone_mapping;
+    burnish_edge_flags edges; /* 0: none */
+    float edge_width;         /* width of outlines (steps in depth) in pixels, (0,
                               BURNISH_EDGE_WIDTH_MAX]. Other lines have 3/5 of it */
-    uint8_t edge_color[3];          /* sRGB */
-    float edge_opacity;             /* [0, 1] */
+    uint8_t edge_color[3];    /* sRGB */
+    float edge_opacity;       /* [0, 1] */
     int outline_contrast;  /* [0, 255]: where the outline of the object differs from the background
                              by less than this in every channel, in 8-bit sRGB values, a hairline
                              is drawn along it, inside; 0: never. Not drawn if transparent */
@@ -251,8 +268,8 @@ BURNISH_API burnish_status burnish_render(const burnish_mesh *mesh,
  *
  * Alpha is straight: 255 (1 in floats) if options.transparent is 0; otherwise the mean over the
  * samples of 1 minus the product of the transparencies in the sample, 0 for the background.
- * RGBA_FLOAT is linear light without an upper limit. For the other formats light is clamped to 1
- * before the samples are averaged.
+ * RGBA_FLOAT is linear light without an upper limit, exposure or tone mapping. For the other formats
+ * each sample's light gets both and is clamped to 1 before the samples are averaged.
  *
  * The planes hold one triangle per pixel: the triangle with the most samples or, if equal, the one
  * in the first sample. Depth and normal are taken at the centre of the pixel if the triangle has

@@ -418,6 +418,21 @@ static const cli_flag flags[] = {
     {DRAW_FLAG("ambient", "F|COLOR", "ambient light, linear", render_flag_ambient, shading.ambient),
      .value_type = CLI_TYPE_LIGHT, CLI_RANGE(0, 16), .default_label = "the look's",
      .manual = "Ambient light: a number from 0 to 16, linear, or a colour."},
+    {DRAW_FLAG("exposure", "STOPS", "make light brighter (> 0) or darker", cli_flag_real,
+               shading.exposure),
+     .svg = CLI_SVG_REFUSED, CLI_RANGE(-BURNISH_EXPOSURE_MAX, BURNISH_EXPOSURE_MAX),
+     .default_label = "the look's",
+     .manual = "Multiplies light by 2^_STOPS_, from -20 to 20. A background colour and buffers "
+               "of linear colour do not change."},
+    {DRAW_FLAG("tone-mapping", "NAME", "curve from light to pixels", render_flag_tones,
+               shading.tone_mapping),
+     .svg = CLI_SVG_REFUSED, .value_type = CLI_TYPE_WORD, .optional = 1, .words = render_tone_words,
+     .default_label = "the look's", .off = "none",
+     .manual =
+         "How light becomes pixels: *none* clamps light above 1; *neutral*, also without _NAME_, "
+         "is Khronos PBR Neutral, which keeps hues and makes what is brighter than white pale "
+         "gradually; *filmic* is a curve of ACES with more contrast. A background colour and "
+         "buffers of linear colour do not change."},
     {DRAW_FLAG("occlusion", "N", "ambient occlusion: directions, or none", render_flag_occlusion,
                shading.occlusion),
      .value_type = CLI_TYPE_INTEGER, .svg = CLI_SVG_REFUSED, CLI_RANGE(1, BURNISH_OCCLUSION_MAX),

@@ -123,6 +123,8 @@ static size_t list_scene_needs(const render_settings *settings, cli_need *needs)
          "values of vertices are not shown; use --color-by"},
         {"color-map,color-range,no-legend", !by || strcmp(by, "normal") != 0,
          "the colours of --color-by=normal are directions; use another value"},
+        {"exposure,tone-mapping", settings->shading.look != BURNISH_LOOK_DRAWING,
+         "a drawing is not shaded; use another --look"},
         {"opacity,specular,exponent,equation,viewer,light", has_shades,
          "a drawing is not shaded; use another --look"},
         {"lobe", has_shades || shading->lobes.count > 1,
@@ -133,7 +135,7 @@ static size_t list_scene_needs(const render_settings *settings, cli_need *needs)
         {"outline-contrast", !settings->picture.background.transparent,
          "a transparent background has no colour; omit --no-background"},
     };
-    _Static_assert(sizeof list / sizeof *list + 7 <= RENDER_NEEDS_MAX, "with those of files");
+    _Static_assert(sizeof list / sizeof *list + 8 <= RENDER_NEEDS_MAX, "with those of files");
     memcpy(needs, list, sizeof list);
     return sizeof list / sizeof *list;
 }
@@ -156,6 +158,9 @@ size_t render_list_needs(const render_settings *settings, cli_need needs[RENDER_
         !output->turntable && (format == PICTURE_PNG || format == PICTURE_JPEG ||
                                picture_is_drawing(format) || render_is_projection(settings)),
         "only PNG, JPEG, SVG and PDF state it; use one of their extensions"};
+    needs[count++] =
+        (cli_need){"exposure,tone-mapping", format != PICTURE_EXR && format != PICTURE_NPY,
+                   "EXR and NPY hold linear light; use another extension"};
     needs[count++] = (cli_need){"reference-threshold", output->reference != NULL,
                                 "there is no reference; use --reference=FILE"};
     return count;

@@ -60,6 +60,13 @@ typedef struct burnish_code_batch {
     burnish_code_direction *known;
 } burnish_code_batch;
 
+/* From linear light to the light of 8-bit pixels. */
+typedef struct burnish_tones {
+    int is_linear;  /* 1: light stays as it is */
+    int curve;      /* burnish_tone_mapping */
+    float exposure; /* a factor */
+} burnish_tones;
+
 typedef struct burnish_render_ops {
     /* out = in scaled to unit length; out may be in. */
     void (*normalize_array)(size_t count, const float *const in[3], float *const out[3]);
@@ -180,6 +187,9 @@ typedef struct burnish_render_ops {
      * BURNISH_TEXTURE_REFLECTANCE also reflectance and roughness. Reads and writes whole vectors. */
     void (*vary_points)(const struct burnish_textured_material *material, unsigned sampled,
                         size_t count, struct burnish_texture_scratch *scratch);
+
+    /* Exposes count colours and applies the curve, in place. Reads and writes whole vectors. */
+    void (*map_tones)(const burnish_tones *tones, size_t count, float *const rgb[3]);
 
     /* count linear colours, a multiple of 16, to sRGB codes: red in the lowest byte of a pixel,
      * then green and blue. With `shown`, pixels where it is >= 0 also get the bits of alpha, and

@@ -174,11 +174,14 @@ useless environment-turn "$environment" --environment-turn=20 :sphere
 useless environment-strength "$environment" --environment-strength=2 :sphere
 useless outline-contrast 'a transparent background has no colour; omit --no-background' --outline-contrast=99 --no-background :sphere
 shaded='a drawing is not shaded; use another --look'
-for flag in opacity=0.5 specular=1 exponent=9 equation=phong viewer=distant light=directional:1,1,1 lobe=power; do
+for flag in exposure=1 tone-mapping=filmic opacity=0.5 specular=1 exponent=9 equation=phong viewer=distant light=directional:1,1,1 lobe=power; do
     useless "${flag%%=*}" "$shaded" --look=drawing "--$flag" :teapot
 done
 useless quality 'only JPEG and WebP have it; use the extension .jpg or .webp' --quality=50 :sphere
 useless reference-threshold 'there is no reference; use --reference=FILE' --reference-threshold=0.1 :sphere
+expect 0 'burnish: warning: --exposure: no effect: EXR and NPY hold linear light; use another extension' \
+    render :sphere -s 16 --exposure=1 -o light.npy
+rm -f light.npy
 # What the input decides
 useless camera 'INPUT has no cameras; omit the flag' --camera=0 part.obj
 useless camera '--views already sets the camera; omit one of them' --camera=0 --views=top part.obj

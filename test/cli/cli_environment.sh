@@ -20,6 +20,10 @@ same "threads" "$(hash --environment=sky --threads=3)" "$sky"
 differs "the turn" "$(hash --environment=sky --environment-turn=90)" "$sky"
 same "a whole turn" "$(hash --environment=sky --environment-turn=360)" "$sky"
 differs "the strength" "$(hash --environment=sky --environment-strength=0.5)" "$sky"
+behind=--background-color=environment
+differs "tone mapping" "$(hash --environment=sky $behind --tone-mapping=filmic)" "$(hash --environment=sky $behind)"
+same "exposure, also of what is behind" "$(hash --environment=sky $behind --exposure=1 --tone-mapping)" \
+    "$(hash --environment=sky $behind --environment-strength=2 --exposure=0 --tone-mapping=neutral)"
 differs "a light in addition" "$(hash --environment=sky --light=directional:1,1,1)" "$sky"
 
 # Images of one colour.

@@ -331,6 +331,8 @@ static void change_shading(frame *f) {
     f->options.ignore_colors = chance(30);
     f->options.cull_back_faces = chance(30);
     f->options.background[1] = (uint8_t)below(256);
+    f->options.exposure = chance(30) ? (float)uniform(-2, 2) : 0;
+    f->options.tone_mapping = (burnish_tone_mapping)below(BURNISH_TONES_COUNT);
 }
 
 static void change_target(frame *f) {

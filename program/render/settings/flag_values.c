@@ -30,6 +30,11 @@ const cli_word render_plane_words[] = {
     {NULL, 0},
 };
 
+const cli_word render_tone_words[] = {{"none", 1 + BURNISH_TONES_NONE},
+                                      {"neutral", 1 + BURNISH_TONES_NEUTRAL},
+                                      {"filmic", 1 + BURNISH_TONES_FILMIC},
+                                      {NULL, 0}};
+
 const cli_word render_look_words[] = {
     {"studio", BURNISH_LOOK_STUDIO},       {"three-point", BURNISH_LOOK_THREE_POINT},
     {"plain", BURNISH_LOOK_PLAIN},         {"clay", BURNISH_LOOK_CLAY},
@@ -253,6 +258,11 @@ burnish_status render_flag_projection(const cli_flag *flag, const char *text, vo
     cli_flag named = *flag;
     named.words = words;
     return cli_flag_word(&named, text ? text : "yes", target, error);
+}
+
+burnish_status render_flag_tones(const cli_flag *flag, const char *text, void *target,
+                                 burnish_error *error) {
+    return cli_flag_word(flag, text ? text : "neutral", target, error);
 }
 
 burnish_status render_flag_range(const cli_flag *flag, const char *text, void *target,

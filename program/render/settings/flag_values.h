@@ -19,6 +19,7 @@ extern const render_preset render_presets[];
 extern const cli_word render_preset_words[];
 
 extern const cli_word render_plane_words[]; /* render_plane_kind */
+extern const cli_word render_tone_words[];  /* 1 + burnish_tone_mapping */
 extern const cli_word render_look_words[];  /* burnish_look */
 
 /* The comment names the type of the target. */
@@ -32,6 +33,7 @@ cli_handler render_flag_range;         /* double[2] */
 cli_handler render_flag_occlusion;     /* render_occlusion */
 cli_handler render_flag_plane;         /* render_planes */
 cli_handler render_flag_edges;         /* render_edges */
+cli_handler render_flag_tones;         /* int: a value of render_tone_words */
 cli_handler render_flag_projection;    /* int: render_projection */
 cli_handler render_flag_no_sandbox;    /* int: 0 */
 cli_handler render_flag_annotate;      /* unsigned: sum of burnish_annotation */

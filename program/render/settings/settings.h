@@ -119,6 +119,8 @@ typedef struct render_shading_settings {
     render_ambient ambient;
     render_occlusion occlusion;
     int ground, shadow;
+    cli_real exposure;
+    int tone_mapping; /* 1 + burnish_tone_mapping; 0: the look's */
     render_edges edges;
     int wireframe, hidden_lines, center_lines;
     cli_real edge_width;

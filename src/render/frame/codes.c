@@ -10,8 +10,8 @@ int burnish_codes_are_direct(const burnish_surface *surface, const burnish_outpu
     const int has_more = surface->attributes->has_colors || surface->transparency ||
                          surface->caps || output->has_planes || output->ground ||
                          output->backdrop || output->outline;
-    return output->samples == 1 && has_bytes && !has_more && !shading->texturing &&
-           !shading->area && !shading->occlusion && !shading->shadow &&
+    return output->samples == 1 && has_bytes && !has_more && shading->tones.is_linear &&
+           !shading->texturing && !shading->area && !shading->occlusion && !shading->shadow &&
            shading->mixed_body != BURNISH_LOBE_BODY_NONE;
 }
 

@@ -1,6 +1,7 @@
 /* The table of rendering kernels for the instruction set that BURNISH_VECTOR_... chooses. */
 #include "render/frame/codes_simd.h"
 #include "render/frame/pixels_simd.h"
+#include "render/frame/tones_simd.h"
 #include "render/light/ground_simd.h"
 #include "render/light/near_cells_simd.h"
 #include "render/light/occlusion_simd.h"
@@ -34,6 +35,7 @@ const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD) = {
     OP(interpolate_tangents),
     OP(turn_normals),
     OP(vary_points),
+    OP(map_tones),
     OP(encode_pixels),
     OP(pack_groups),
     OP(apply_near_cells),

@@ -189,6 +189,20 @@ static burnish_status check_surroundings(const burnish_render_options *options,
     return BURNISH_STATUS_OK;
 }
 
+static burnish_status check_tones(const burnish_render_options *options, burnish_error *error) {
+    if ((unsigned)options->tone_mapping >= BURNISH_TONES_COUNT) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "tone mapping %d does not exist",
+                            (int)options->tone_mapping);
+    }
+    if (!(options->exposure >= -BURNISH_EXPOSURE_MAX &&
+          options->exposure <= BURNISH_EXPOSURE_MAX)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "exposure: %g stops are not in [-%d, %d]", (double)options->exposure,
+                            BURNISH_EXPOSURE_MAX, BURNISH_EXPOSURE_MAX);
+    }
+    return BURNISH_STATUS_OK;
+}
+
 static burnish_status check_occlusion(const burnish_render_options *options, burnish_error *error) {
     if (options->occlusion < BURNISH_OCCLUSION_AUTO || options->occlusion > BURNISH_OCCLUSION_MAX) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -293,6 +307,9 @@ burnish_status burnish_render_options_check(const burnish_render_options *option
     }
     if (status == BURNISH_STATUS_OK) {
         status = check_occlusion(options, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_tones(options, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = check_edges(options, error);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/clock.h"
+#include "base/elementary.h"
 #include "core/vec3.h"
 #include "render/space.h"
 
@@ -422,6 +423,15 @@ static burnish_status draw_edged(burnish_call *d) {
     return status;
 }
 
+static burnish_tones tones_of(const burnish_render_options *options, const burnish_target *target) {
+    const double exponent = (double)options->exposure * 0.693147180559945309417; /* ln 2 */
+    return (burnish_tones){
+        .is_linear = target->pixels.format == BURNISH_PIXELS_RGBA_FLOAT ||
+                     (options->exposure == 0 && options->tone_mapping == BURNISH_TONES_NONE),
+        .curve = options->tone_mapping,
+        .exposure = (float)(1 + burnish_expm1(exponent))};
+}
+
 burnish_status burnish_call_run(burnish_call *d) {
     burnish_renderer *renderer = d->renderer;
     const double start = burnish_seconds_now();
@@ -429,6 +439,7 @@ burnish_status burnish_call_run(burnish_call *d) {
     d->view.shading.kernels = d->options->kernels ? d->options->kernels : renderer->best;
     d->report.isa = d->view.shading.kernels->isa;
     d->view.shading.ops = burnish_render_ops_for(d->report.isa);
+    d->view.shading.tones = tones_of(d->options, &d->target);
     d->raster = burnish_raster_ops_for(d->report.isa);
     renderer->texturing.kernels = d->view.shading.kernels;
     renderer->texturing.ops = d->view.shading.ops;

@@ -208,7 +208,7 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
     }
 }
 
-/* rgb gets the colours: linear light, >= 0, not clamped above. */
+/* rgb gets the colours: light >= 0 for the target, not clamped above. */
 static void shade_batch(const burnish_shading *shading, const burnish_fragment_batch *batch,
                         burnish_fragment_scratch *scratch, float *const rgb[3]) {
     burnish_kernels_points points = {.w = scratch->w};
@@ -265,6 +265,9 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
         }
     } else {
         shade_mixed(shading, batch, &points, scratch, rgb);
+    }
+    if (!shading->tones.is_linear) {
+        shading->ops->map_tones(&shading->tones, (size_t)batch->count, rgb);
     }
 }
 

@@ -80,8 +80,9 @@ typedef struct burnish_shading {
     const burnish_area *area;                         /* NULL: no light from many directions */
     /* the body by which `kernels->shade_mixed` shades all materials at once; NONE: it can't */
     burnish_lobe_body mixed_body;
-    int is_alike; /* 1: all materials have one lobe and specular colour */
-    int is_lyon;  /* 1: Lyon's lobe reads the length that interpolation leaves a normal */
+    int is_alike;        /* 1: all materials have one lobe and specular colour */
+    burnish_tones tones; /* applied to all light of surfaces */
+    int is_lyon;         /* 1: Lyon's lobe reads the length that interpolation leaves a normal */
 } burnish_shading;
 
 /* A frame's surfaces: attributes, materials and caps. */

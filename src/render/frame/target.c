@@ -376,18 +376,29 @@ static float background_share(const burnish_output *output, const burnish_tile_s
 static void add_backdrop(const burnish_output *output, const burnish_tile *tile,
                          const burnish_tile_sums *sums, int number, const float *shadow,
                          burnish_row_light *row) {
+    const burnish_tones *tones = &output->view->shading.tones;
+    float share[BURNISH_BLOCK_ROW_PIXELS], light[3][BURNISH_BLOCK_ROW_PIXELS];
+    float *const rgb[3] = {light[0], light[1], light[2]};
     for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
         const int pixel = number * BURNISH_BLOCK_ROW_PIXELS + i;
-        const float share = background_share(output, sums, number, row, i);
-        float light[3];
-        if (share == 0) {
-            continue;
+        float seen[3] = {0, 0, 0};
+        share[i] = background_share(output, sums, number, row, i);
+        if (share[i] != 0) {
+            burnish_backdrop_light(output->backdrop, tile->x + burnish_pixel_x(pixel),
+                                   tile->y + burnish_pixel_y(pixel), seen);
         }
-        burnish_backdrop_light(output->backdrop, tile->x + burnish_pixel_x(pixel),
-                               tile->y + burnish_pixel_y(pixel), light);
         for (int k = 0; k < 3; ++k) {
-            const float value = light[k] < output->limit ? light[k] : output->limit;
-            row->rgb[k][i] = (share < 1 ? row->rgb[k][i] : 0) + share * (1 - shadow[i]) * value;
+            light[k][i] = seen[k];
+        }
+    }
+    if (!tones->is_linear) {
+        output->ops->map_tones(tones, BURNISH_BLOCK_ROW_PIXELS, rgb);
+    }
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
+        for (int k = 0; k < 3 && share[i] != 0; ++k) {
+            const float value = light[k][i] < output->limit ? light[k][i] : output->limit;
+            row->rgb[k][i] =
+                (share[i] < 1 ? row->rgb[k][i] : 0) + share[i] * (1 - shadow[i]) * value;
         }
     }
 }
