@@ -190,13 +190,18 @@ for flag in --samples=8 --up=+Z --azimuth=20 --elevation=-20 --zoom=2 \
     --camera-view-angle=50 --camera-orthographic --margin=0.2 --camera-direction=1,-1,0 --camera-view-up=1,1,0 \
     --camera-focal-point=0,0,0 --background-color=navy --no-background --color=gold --material=metal \
     --specular=0 --exponent=9 --lobe=power --lobe=schlick --lobe=taylor:8 --equation=phong --viewer=distant \
-    --light=point:0,0,0 --light=none --ambient=0.5 --tessellation=3 --normals=own --crease-angle=0 --cull-back-faces --look=plain --look=clay --occlusion=none --occlusion=9; do
+    --light=point:0,0,0 --light=none --ambient=0.5 --tessellation=3 --normals=own --crease-angle=0 --cull-back-faces --look=plain --look=clay --occlusion=none --occlusion=9 --exposure=1 --tone-mapping=none; do
     differs "$flag" "$plain" "$(hash :teapot --size=64 $flag)"
 done
 # Colours by name, and none.
 same "a CSS name" "$(hash :torus --size=32 --color=LightSteelBlue)" "$(hash :torus --size=32 --color=#b0c4de)"
 printf 'newmtl red\nKd 1 0 0\nKs 1 1 1\n' >colored.mtl
 printf 'v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n' >colors.obj
+printf 'newmtl m\nKa 0 0 0\nKd 0 0 0\nKs 0 0 0\n' >black.mtl
+printf 'mtllib black.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >black.obj
+lifted='materials that reflect almost nothing: 1; drawn as dark grey with a highlight, use --look=plain to see them black'
+expect 0 "burnish: warning: $lifted" render black.obj --size=32 --json=report.json -o b.png
+check "the report names black materials" grep -qF "\"$lifted\"" report.json
 printf 'mtllib colored.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >colored.obj
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >grey.obj
 for file in colored.obj colors.obj; do
@@ -204,7 +209,7 @@ for file in colored.obj colors.obj; do
     same "$file without colours" "$(hash $file --size=32 --no-colors)" "$(hash grey.obj --size=32)"
 done
 same "--color after --no-colors" "$(hash colored.obj --size=32 --no-colors --color=gold)" "$(hash grey.obj --size=32 --color=gold)"
-rm -f colored.mtl colors.obj colored.obj grey.obj
+rm -f black.mtl black.obj colored.mtl colors.obj colored.obj grey.obj
 lit_gltf() { # TYPE
     printf '%s' '{"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],' \
         '"bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],' \

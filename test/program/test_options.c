@@ -348,6 +348,48 @@ static void test_lying_scene(void) {
     release(&p);
 }
 
+/* The studio makes black materials visible, unless a flag or their emission does. */
+static void test_black_material(void) {
+    static const struct {
+        const char *line;
+        float diffuse, specular, reflectance, emissive;
+        int is_lifted;
+    } cases[] = {{"x", 0, 0, 0, 0, 1},
+                 {"x", 0.02f, 0.01f, 0, 0, 1},
+                 {"x|--color=black", 0.5f, 0, 0, 0, 1},
+                 {"x|--color=white", 0, 0, 0, 0, 0},
+                 {"x|--material=metal|--color=silver", 0, 0, 0, 0, 0},
+                 {"x|--specular=0", 0, 0, 0, 0, 0},
+                 {"x|--look=plain", 0, 0, 0, 0, 0},
+                 {"x", 0.04f, 0, 0, 0, 0},
+                 {"x", 0, 0.3f, 0, 0, 0},
+                 {"x", 0, 0, 0.04f, 0, 0},
+                 {"x", 0, 0, 0, 1, 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        parsed line = parse(cases[i].line);
+        burnish_mesh *mesh = NULL;
+        size_t lifted = 0;
+        const burnish_load_options load = burnish_load_options_default();
+        CHECK_OK(burnish_mesh_load(":sphere", &load, &mesh, &line.error), line.error);
+        burnish_material material = burnish_material_default();
+        material.has_diffuse = 1;
+        for (int k = 0; k < 3; ++k) {
+            material.diffuse[k] = material.ambient[k] = cases[i].diffuse;
+            material.specular[k] = cases[i].specular;
+            material.reflectance[k] = cases[i].reflectance;
+            material.emissive[k] = cases[i].emissive;
+        }
+        CHECK_OK(burnish_mesh_set_material(mesh, 0, &material, &line.error), line.error);
+        CHECK_OK(render_adjust_materials(&line.settings.shading, mesh, &lifted, &line.error),
+                 line.error);
+        const burnish_material *seen = burnish_mesh_get_material(mesh, 0);
+        CHECK(lifted == (size_t)cases[i].is_lifted, "case %zu: %zu are lifted", i, lifted);
+        CHECK(!lifted || (seen->diffuse[1] == 0.035f && seen->reflectance[1] > 0), "case %zu: %g",
+              i, (double)seen->diffuse[1]);
+        burnish_mesh_destroy(mesh);
+    }
+}
+
 /* Lights and camera: those of flags are moved, those of the file are added to them. */
 static void test_lit_scene(void) {
     prepared p = prepare("x|--light=world-point:1,102,3|--light=file|--shadow|--environment=sky|"
@@ -439,6 +481,7 @@ int main(int count, char **arguments) {
     RUN(test_long_rows());
     RUN(test_cut_scene());
     RUN(test_lying_scene());
+    RUN(test_black_material());
     RUN(test_lit_scene());
     RUN(test_dark_scene());
     return test_end("options");

@@ -100,8 +100,45 @@ static burnish_material adjusted_material(const render_shading_settings *shading
     return material;
 }
 
+/* What a surface reflects at least in the studio: black plastic. */
+#define LEAST_REFLECTED 0.035F
+
+static float largest_of(const float color[3]) {
+    float largest = 0;
+    for (int k = 0; k < 3; ++k) {
+        largest = color[k] > largest ? color[k] : largest;
+    }
+    return largest;
+}
+
+/* Whether a material reflects and emits almost nothing, so no light can show its shape. */
+static int is_black(const burnish_material *material) {
+    const float specular = material->is_metallic ? 0 : largest_of(material->specular);
+    const float reflectance = largest_of(material->reflectance) * (1 - material->metallic);
+    int is_textured = 0;
+    for (int i = 0; i < BURNISH_TEXTURE_SLOT_COUNT; ++i) {
+        is_textured |= material->textures[i].texture != 0;
+    }
+    return material->has_diffuse && !material->is_unlit && !is_textured &&
+           largest_of(material->emissive) == 0 && largest_of(material->diffuse) < LEAST_REFLECTED &&
+           specular < LEAST_REFLECTED && reflectance < LEAST_REFLECTED;
+}
+
+/* Keeps what hue there is, and adds the highlight of smooth plastic. */
+static void lift_black(burnish_material *material) {
+    const float more = LEAST_REFLECTED - largest_of(material->diffuse);
+    for (int k = 0; k < 3; ++k) {
+        material->diffuse[k] += more;
+        material->ambient[k] = material->diffuse[k];
+        material->specular[k] = 0.35F;
+        material->reflectance[k] = 0.04F;
+    }
+    material->metallic = 0;
+    material->roughness = 0.35F;
+}
+
 burnish_status render_adjust_materials(const render_shading_settings *shading, burnish_mesh *mesh,
-                                       burnish_error *error) {
+                                       size_t *lifted, burnish_error *error) {
     const size_t count = burnish_mesh_get_material_count(mesh);
     burnish_status status = BURNISH_STATUS_OK;
     for (size_t i = 0; shading->no_colors && i < count && status == BURNISH_STATUS_OK; ++i) {
@@ -114,6 +151,11 @@ burnish_status render_adjust_materials(const render_shading_settings *shading, b
                  : burnish_look_set_materials((burnish_look)shading->look, mesh, error);
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         burnish_material material = adjusted_material(shading, *burnish_mesh_get_material(mesh, i));
+        if (shading->look == BURNISH_LOOK_STUDIO && !shading->specular.given &&
+            is_black(&material)) {
+            lift_black(&material);
+            *lifted += 1;
+        }
         status = burnish_mesh_set_material(mesh, i, &material, error);
     }
     return status;

@@ -15,9 +15,10 @@ int render_has_own_lobe(const render_shading_settings *shading);
 /* Makes area lights and environments take the exponent of a material that has a roughness. */
 void render_make_phong(burnish_material *material);
 
-/* Applies --color, --material, --specular, --exponent and --opacity to every material. */
+/* Applies --color, --material, --specular, --exponent and --opacity to every material; *lifted
+ * grows by the number of black ones that the studio then makes visible. */
 burnish_status render_adjust_materials(const render_shading_settings *shading, burnish_mesh *mesh,
-                                       burnish_error *error);
+                                       size_t *lifted, burnish_error *error);
 
 /* The options of drawing, without camera and lobe, which each cell sets. */
 burnish_render_options render_make_options(const render_settings *settings);
