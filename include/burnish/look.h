@@ -21,7 +21,8 @@ extern "C" {
 typedef enum burnish_look {
     BURNISH_LOOK_PLAIN, /* the default: key, fill and rim light on white */
     /* A product studio of area lights and a dome (light.h), with ambient occlusion on a light grey
-     * background. Diffuse light never exceeds white; metals reflect the lights. */
+     * background. White surfaces get up to twice the light of white, which soft tone mapping
+     * keeps below it; metals reflect the lights. */
     BURNISH_LOOK_STUDIO,
     BURNISH_LOOK_CLAY,      /* all surfaces in one matt, warm colour, without highlights */
     BURNISH_LOOK_TECHNICAL, /* edges over light, matt surfaces; one light, white background */
@@ -33,7 +34,7 @@ typedef enum burnish_look {
     BURNISH_LOOK_COUNT
 } burnish_look;
 
-/* Sets the lights, area lights, dome, ambient light, background, occlusion, edges, edge_width,
+/* Sets the lights, area lights, dome, ambient light, tone mapping, background, occlusion, edges, edge_width,
  * outline_contrast and ignore_colors of a look. Call it before you change options.
  * Errors: ARGUMENT (options not initialised, unknown look). */
 BURNISH_API burnish_status burnish_render_options_set_look(burnish_render_options *options,

@@ -66,7 +66,9 @@ typedef enum burnish_tone_mapping {
     BURNISH_TONES_NONE,    /* light above 1 is clamped */
     BURNISH_TONES_NEUTRAL, /* Khronos PBR Neutral (2024): colours up to 0.76 keep their hue and
                               saturation, brighter ones approach white */
-    BURNISH_TONES_FILMIC,  /* Narkowicz' fit of ACES (2016), for each channel: more contrast */
+    BURNISH_TONES_SOFT,   /* NEUTRAL without its toe, which takes up to 0.04 off dark colours: light
+                              up to 0.76 stays as it is */
+    BURNISH_TONES_FILMIC, /* Narkowicz' fit of ACES (2016), for each channel: more contrast */
     BURNISH_TONES_COUNT
 } burnish_tone_mapping;
 

@@ -430,8 +430,9 @@ static const cli_flag flags[] = {
      .default_label = "the look's", .off = "none",
      .manual =
          "How light becomes pixels: *none* clamps light above 1; *neutral*, also without _NAME_, "
-         "is Khronos PBR Neutral, which keeps hues and makes what is brighter than white pale "
-         "gradually; *filmic* is a curve of ACES with more contrast. A background colour and "
+         "is Khronos PBR Neutral, which keeps hues and makes bright colours pale gradually; *soft* "
+         "is the same without its toe, which darkens dark colours; *filmic* is a curve of ACES "
+         "with more contrast. A background colour and "
          "buffers of linear colour do not change."},
     {DRAW_FLAG("occlusion", "N", "ambient occlusion: directions, or none", render_flag_occlusion,
                shading.occlusion),

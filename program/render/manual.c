@@ -18,8 +18,9 @@ static void each_material(cli_take_term *take) {
 
 static const cli_term look_terms[] = {
     {"*studio*", "a product studio: a window, two strips of light, a panel behind and a table, "
-                 "which metals and glossy surfaces reflect; a light grey background and ambient "
-                 "occlusion. Black materials that reflect less than 0.035 reflect as much, with a "
+                 "which metals and glossy surfaces reflect; a light grey background, ambient "
+                 "occlusion and *--tone-mapping=soft*, so white is white and colours keep their "
+                 "hue. Black materials that reflect less than 0.035 reflect as much, with a "
                  "highlight and a warning. For web pages and thumbnails. Standard views along an "
                  "axis also have "
                  "thin, soft *--edges*, because steps in depth are hard to see there."},

@@ -49,7 +49,7 @@ static void test_options(burnish_mesh *sphere) {
     WRONG(options.occlusion = BURNISH_OCCLUSION_MAX + 1, "directions");
     WRONG(options.occlusion = 1; options.occlusion_strength = NAN, "occlusion: a strength");
     WRONG(options.exposure = NAN, "exposure: nan stops are not in [-20, 20]");
-    WRONG(options.tone_mapping = BURNISH_TONES_COUNT, "tone mapping 3 does not exist");
+    WRONG(options.tone_mapping = BURNISH_TONES_COUNT, "tone mapping 4 does not exist");
     WRONG(options.edges = UINT32_MAX, "edges: 4294967295");
     WRONG(options.edges = 256, "edges: 256");
     WRONG(options.edge_width = 0, "edges: a width of 0");

@@ -2,6 +2,7 @@
  * what exposure and tone mapping leave alone in a picture. */
 #include <math.h>
 
+#include "burnish/look.h"
 #include "core/srgb.h"
 #include "pictures.h"
 #include "render/render_ops.h"
@@ -9,10 +10,10 @@
 enum { COUNT = 256, ROUNDS = 300, SIDE = 96, PIXELS = SIDE * SIDE };
 
 /* KhronosGroup/ToneMapping, PBR_Neutral/pbrNeutral.glsl */
-static void reference_neutral(double color[3]) {
+static void reference_neutral(int has_toe, double color[3]) {
     const double start = 0.8 - 0.04, desaturation = 0.15;
     const double x = fmin(color[0], fmin(color[1], color[2]));
-    const double offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+    const double offset = !has_toe ? 0 : x < 0.08 ? x - 6.25 * x * x : 0.04;
     for (int k = 0; k < 3; ++k) {
         color[k] -= offset;
     }
@@ -37,8 +38,8 @@ static void reference_filmic(double color[3]) {
 }
 
 static void reference(int curve, double color[3]) {
-    if (curve == BURNISH_TONES_NEUTRAL) {
-        reference_neutral(color);
+    if (curve == BURNISH_TONES_NEUTRAL || curve == BURNISH_TONES_SOFT) {
+        reference_neutral(curve == BURNISH_TONES_NEUTRAL, color);
     } else if (curve == BURNISH_TONES_FILMIC) {
         reference_filmic(color);
     }
@@ -84,6 +85,8 @@ static void check_values(const burnish_render_ops *ops) {
          {1, 1, 1},
          {1 - 0.0576 / 0.44, 1 - 0.0576 / 0.44, 1 - 0.0576 / 0.44}},
         {BURNISH_TONES_NEUTRAL, {INFINITY, INFINITY, NAN}, {1, 1, 1}},
+        {BURNISH_TONES_SOFT, {0.76f, 0.01f, 0.3f}, {0.76, 0.01, 0.3}},
+        {BURNISH_TONES_SOFT, {1, 1, 1}, {0.88, 0.88, 0.88}},
         {BURNISH_TONES_FILMIC, {0, 1, 2}, {0, 2.54 / 3.16, 10.1 / 11.04}},
         {BURNISH_TONES_FILMIC, {INFINITY, 1e30f, NAN}, {2.51 / 2.43, 2.51 / 2.43, 0}},
         {BURNISH_TONES_NONE, {0.25f, 3, NAN}, {0.25, 3, 0}},
@@ -158,11 +161,67 @@ static void test_picture(burnish_tone_mapping curve, float exposure) {
     burnish_mesh_destroy(mesh);
 }
 
+static int compare_bytes(const void *a, const void *b) {
+    return *(const uint8_t *)a - *(const uint8_t *)b;
+}
+
+/* The green channel of a sphere in the studio at three percentiles; returns red over blue, linear, of
+ * the sum of the pixels that are brighter than the highest of them. */
+static double draw_studio(const float color[3], float metallic, const int percentiles[3],
+                          int values[3]) {
+    static uint8_t pixels[PIXELS][4], green[PIXELS];
+    OWNED_MESH *mesh = load_tessellated(":sphere", 64);
+    burnish_render_options options = framed_options(mesh, SIDE, SIDE);
+    burnish_material material = *burnish_mesh_get_material(mesh, 0);
+    size_t count = 0;
+    double red = 0, blue = 0;
+    CHECK1(burnish_render_options_set_look(&options, BURNISH_LOOK_STUDIO, NULL) ==
+           BURNISH_STATUS_OK);
+    options.transparent = 1;
+    material.is_metallic = material.has_diffuse = 1;
+    material.metallic = metallic;
+    material.roughness = 0.3f;
+    set_three(material.reflectance, 0.04f);
+    memcpy(material.diffuse, color, sizeof material.diffuse);
+    set_material(mesh, &material);
+    draw_bytes(mesh, &options, pixels);
+    for (int i = 0; i < PIXELS; ++i) {
+        green[count] = pixels[i][1];
+        count += pixels[i][3] == 255;
+    }
+    qsort(green, count, 1, compare_bytes);
+    for (int i = 0; i < 3; ++i) {
+        values[i] = green[count * (size_t)percentiles[i] / 100];
+    }
+    for (int i = 0; i < PIXELS; ++i) {
+        const int is_bright = pixels[i][3] == 255 && pixels[i][1] >= values[2];
+        red += is_bright ? (double)burnish_srgb_to_linear[pixels[i][0]] : 0;
+        blue += is_bright ? (double)burnish_srgb_to_linear[pixels[i][2]] : 0;
+    }
+    return red / blue;
+}
+
+/* The studio's default: white is white but has form, nothing is cut off, gold stays yellow, and
+ * dark plastic keeps a highlight. */
+static void test_studio(void) {
+    static const int percentiles[3] = {5, 50, 99};
+    int v[3];
+    draw_studio((const float[3]){1, 1, 1}, 0, percentiles, v);
+    CHECK(v[0] < 200 && v[1] > 225 && v[1] < 246 && v[2] < 255, "white: %d, %d, %d", v[0], v[1],
+          v[2]);
+    const double gold = draw_studio((const float[3]){1, 0.57f, 0.08f}, 1, percentiles, v);
+    CHECK(gold > 1.5 && v[2] < 250, "gold: red is %g of blue in highlights, green %d", gold, v[2]);
+    draw_studio((const float[3]){0.035f, 0.035f, 0.035f}, 0, percentiles, v);
+    CHECK(v[0] > 25 && v[1] > 40 && v[2] > 90, "black: %d, %d, %d", v[0], v[1], v[2]);
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_formulas());
     RUN(test_picture(BURNISH_TONES_NONE, 0.7f));
     RUN(test_picture(BURNISH_TONES_NEUTRAL, 0));
+    RUN(test_picture(BURNISH_TONES_SOFT, 1));
     RUN(test_picture(BURNISH_TONES_FILMIC, -1));
+    RUN(test_studio());
     return test_end("tones");
 }

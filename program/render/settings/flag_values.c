@@ -32,6 +32,7 @@ const cli_word render_plane_words[] = {
 
 const cli_word render_tone_words[] = {{"none", 1 + BURNISH_TONES_NONE},
                                       {"neutral", 1 + BURNISH_TONES_NEUTRAL},
+                                      {"soft", 1 + BURNISH_TONES_SOFT},
                                       {"filmic", 1 + BURNISH_TONES_FILMIC},
                                       {NULL, 0}};
 

@@ -17,6 +17,7 @@ typedef struct look {
     float grey[3], specular;
     float roughness, reflectance; /* for area lights; 0: the same as specular and exponent */
     uint8_t background[3];
+    burnish_tone_mapping tones;
     int occlusion;
     float occlusion_strength;
     burnish_edge_flags edges; /* burnish_render_options has the colour */
@@ -39,31 +40,33 @@ typedef struct look {
 
 /* A product studio: a window on the upper left, a strip on the right, a panel above and behind,
  * a rim light on the left behind the object, and a table that rises toward the viewer, which vertical
- * faces of metal reflect. A white, matt surface gets at most 0.96. */
+ * faces of metal reflect. A white, matt surface gets at most 1.92, which tone mapping takes to 0.96:
+ * most of a white part is brighter than 0.75. */
 static const burnish_area_light STUDIO_AREAS[] = {
     {BOX,
      {-0.4716, 0.6428, 0.6037},
      {0.1994, 0.3860, -0.2552},
      {0.3404, 0, 0.2659},
-     {3.264f, 3.2f, 3.056f}},
+     {6.528f, 6.4f, 6.112f}},
     {BOX,
      {0.9458, 0.1045, 0.3073},
      {-0.0795, 0.7956, -0.0258},
      {0.0433, 0, -0.1331},
-     {1.14f, 1.2f, 1.284f}},
-    {BOX, {0, 0.7193, -0.6947}, {0, 0.2779, 0.2877}, {-2, 0, 0}, {0.57f, 0.6f, 0.642f}},
+     {2.28f, 2.4f, 2.568f}},
+    {BOX, {0, 0.7193, -0.6947}, {0, 0.2779, 0.2877}, {-2, 0, 0}, {1.14f, 1.2f, 1.284f}},
     {BOX,
      {-0.8851, 0.1736, -0.4317},
      {0.1171, 0.7386, 0.0571},
      {-0.0877, 0, 0.1798},
-     {0.4275f, 0.45f, 0.4815f}},
-    {BOX, {0, -0.87, 0.5}, {0, 0.5, 0.87}, {2.0, 0, 0}, {0.26f, 0.255f, 0.247f}},
+     {0.855f, 0.9f, 0.963f}},
+    {BOX, {0, -0.87, 0.5}, {0, 0.5, 0.87}, {2.0, 0, 0}, {0.52f, 0.51f, 0.494f}},
 };
 static const burnish_dome STUDIO_DOME = {
-    {0.285f, 0.3f, 0.321f}, {0.0522f, 0.055f, 0.0589f}, {0.06f, 0.06f, 0.06f}, 1};
+    {0.57f, 0.6f, 0.642f}, {0.1044f, 0.11f, 0.1178f}, {0.12f, 0.12f, 0.12f}, 1};
 
 /* A surface that faces the key light gets key + ambient + a little fill = 0.79 linear, 0.9 of
- * white. The greys are as bright under these lights as burnish's 0.34 under PLAIN's. */
+ * white. THREE_POINT's grey is as bright under its lights as burnish's 0.34 under PLAIN's; STUDIO's is
+ * a little brighter. */
 static const look LOOKS[BURNISH_LOOK_COUNT] = {
     [BURNISH_LOOK_PLAIN] = {.lights = {{LIGHT, KEY, {1.22f, 1.19f, 1.13f}},
                                        {LIGHT, FILL, {0.24f, 0.28f, 0.34f}},
@@ -78,7 +81,8 @@ static const look LOOKS[BURNISH_LOOK_COUNT] = {
                              .area_count = sizeof STUDIO_AREAS / sizeof *STUDIO_AREAS,
                              .dome = &STUDIO_DOME,
                              .recolors = UNCOLORED,
-                             .grey = {0.505f, 0.515f, 0.53f},
+                             .grey = {0.344f, 0.35f, 0.359f},
+                             .tones = BURNISH_TONES_SOFT,
                              .specular = 0.75f,
                              .roughness = 0.35f,
                              .reflectance = 0.1f,
@@ -162,6 +166,7 @@ void burnish_look_apply(burnish_look name, burnish_render_options *options) {
     }
     options->has_dome = wanted->dome != NULL;
     options->dome = wanted->dome ? *wanted->dome : (burnish_dome){.zenith = {0}};
+    options->tone_mapping = wanted->tones;
     options->occlusion = wanted->occlusion;
     options->occlusion_strength = wanted->occlusion_strength;
     options->ignore_colors = wanted->recolors == ALL;

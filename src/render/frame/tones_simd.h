@@ -12,14 +12,14 @@
 /* Khronos PBR Neutral Tone Mapper, with the constants and the order of its specification (2024).
  * The least channel is the part of a highlight's Fresnel term, which the curve takes off. Below
  * START the division's result is not used. */
-BURNISH_INLINE void map_neutral(vf rgb[3]) {
+BURNISH_INLINE void map_neutral(int has_toe, vf rgb[3]) {
     const float START = 0.8f - 0.04f, REST = 1.0f - START;
     const vf start = vf_set(START);
-    const vf least = vf_min(rgb[0], vf_min(rgb[1], rgb[2]));
+    const vf zero = vf_set(0.0f), least = vf_min(rgb[0], vf_min(rgb[1], rgb[2]));
     const vf parabola = vf_sub(least, vf_mul(vf_set(6.25f), vf_mul(least, least)));
     const vf offset = vf_blend(vf_greater(vf_set(0.08f), least), parabola, vf_set(0.04f));
     for (int k = 0; k < 3; ++k) {
-        rgb[k] = vf_sub(rgb[k], offset);
+        rgb[k] = vf_sub(rgb[k], has_toe ? offset : zero);
     }
     const vf own = vf_max(rgb[0], vf_max(rgb[1], rgb[2])), peak = vf_max(own, start);
     const vf beyond = vf_add(vf_sub(peak, start), vf_set(REST));
@@ -53,8 +53,8 @@ static void map_tones(const burnish_tones *tones, size_t count, float *const rgb
             const vf exposed = vf_mul(vf_load(rgb[k] + i), vf_set(tones->exposure));
             light[k] = vf_min(vf_max(exposed, vf_set(0.0f)), vf_set(TONES_MOST));
         }
-        if (tones->curve == BURNISH_TONES_NEUTRAL) {
-            map_neutral(light);
+        if (tones->curve == BURNISH_TONES_NEUTRAL || tones->curve == BURNISH_TONES_SOFT) {
+            map_neutral(tones->curve == BURNISH_TONES_NEUTRAL, light);
         } else if (tones->curve == BURNISH_TONES_FILMIC) {
             map_filmic(light);
         }
