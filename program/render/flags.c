@@ -421,7 +421,7 @@ static const cli_flag flags[] = {
     {DRAW_FLAG("exposure", "STOPS", "make light brighter (> 0) or darker", cli_flag_real,
                shading.exposure),
      .svg = CLI_SVG_REFUSED, CLI_RANGE(-BURNISH_EXPOSURE_MAX, BURNISH_EXPOSURE_MAX),
-     .default_label = "the look's",
+     .default_text = "0",
      .manual = "Multiplies light by 2^_STOPS_, from -20 to 20. A background colour and buffers "
                "of linear colour do not change."},
     {DRAW_FLAG("tone-mapping", "NAME", "curve from light to pixels", render_flag_tones,
@@ -432,8 +432,7 @@ static const cli_flag flags[] = {
          "How light becomes pixels: *none* clamps light above 1; *neutral*, also without _NAME_, "
          "is Khronos PBR Neutral, which keeps hues and makes bright colours pale gradually; *soft* "
          "is the same without its toe, which darkens dark colours; *filmic* is a curve of ACES "
-         "with more contrast. A background colour and "
-         "buffers of linear colour do not change."},
+         "with more contrast. A background colour and buffers of linear colour do not change."},
     {DRAW_FLAG("occlusion", "N", "ambient occlusion: directions, or none", render_flag_occlusion,
                shading.occlusion),
      .value_type = CLI_TYPE_INTEGER, .svg = CLI_SVG_REFUSED, CLI_RANGE(1, BURNISH_OCCLUSION_MAX),

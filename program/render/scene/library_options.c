@@ -215,10 +215,9 @@ burnish_render_options render_make_options(const render_settings *settings) {
     if (shading->outline_contrast.given) {
         options.outline_contrast = (int)shading->outline_contrast.value;
     }
-    if (shading->look != BURNISH_LOOK_DRAWING && shading->exposure.given) {
-        options.exposure = (float)shading->exposure.value;
-    }
-    if (shading->look != BURNISH_LOOK_DRAWING && shading->tone_mapping) {
+    const int is_drawing = shading->look == BURNISH_LOOK_DRAWING;
+    options.exposure = is_drawing ? 0 : (float)shading->exposure.value;
+    if (!is_drawing && shading->tone_mapping) {
         options.tone_mapping = (burnish_tone_mapping)(shading->tone_mapping - 1);
     }
     options.ground = shading->ground;
