@@ -40,29 +40,29 @@ typedef struct look {
 
 /* A product studio: a window on the upper left, a strip on the right, a panel above and behind,
  * a rim light on the left behind the object, and a table that rises toward the viewer, which vertical
- * faces of metal reflect. A white, matt surface gets at most 1.92, which tone mapping takes to 0.96:
+ * faces of metal reflect. A white, matt surface gets at most 1.59, which tone mapping takes to 0.946:
  * most of a white part is brighter than 0.75. */
 static const burnish_area_light STUDIO_AREAS[] = {
     {BOX,
      {-0.4716, 0.6428, 0.6037},
      {0.1994, 0.3860, -0.2552},
      {0.3404, 0, 0.2659},
-     {6.528f, 6.4f, 6.112f}},
+     {5.418f, 5.312f, 5.073f}},
     {BOX,
      {0.9458, 0.1045, 0.3073},
      {-0.0795, 0.7956, -0.0258},
      {0.0433, 0, -0.1331},
-     {2.28f, 2.4f, 2.568f}},
-    {BOX, {0, 0.7193, -0.6947}, {0, 0.2779, 0.2877}, {-2, 0, 0}, {1.14f, 1.2f, 1.284f}},
+     {1.892f, 1.992f, 2.131f}},
+    {BOX, {0, 0.7193, -0.6947}, {0, 0.2779, 0.2877}, {-2, 0, 0}, {0.9462f, 0.996f, 1.066f}},
     {BOX,
      {-0.8851, 0.1736, -0.4317},
      {0.1171, 0.7386, 0.0571},
      {-0.0877, 0, 0.1798},
-     {0.855f, 0.9f, 0.963f}},
-    {BOX, {0, -0.87, 0.5}, {0, 0.5, 0.87}, {2.0, 0, 0}, {0.52f, 0.51f, 0.494f}},
+     {0.7097f, 0.747f, 0.7993f}},
+    {BOX, {0, -0.87, 0.5}, {0, 0.5, 0.87}, {2.0, 0, 0}, {0.4316f, 0.4233f, 0.41f}},
 };
 static const burnish_dome STUDIO_DOME = {
-    {0.57f, 0.6f, 0.642f}, {0.1044f, 0.11f, 0.1178f}, {0.12f, 0.12f, 0.12f}, 1};
+    {0.4731f, 0.498f, 0.5329f}, {0.08665f, 0.0913f, 0.09777f}, {0.0996f, 0.0996f, 0.0996f}, 1};
 
 /* A surface that faces the key light gets key + ambient + a little fill = 0.79 linear, 0.9 of
  * white. THREE_POINT's grey is as bright under its lights as burnish's 0.34 under PLAIN's; STUDIO's is
