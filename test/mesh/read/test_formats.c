@@ -76,13 +76,14 @@ static burnish_mesh *load_kind(const struct kind *kind, const char *name, int st
     return load_bytes(list.bytes, list.size, name, &options);
 }
 
-/* A file without colours has the grey of the look, whatever its format. */
+/* A file without colours has the grey of the look, whatever its format; glTF states white. */
 static void test_same_grey(burnish_look look) {
     static float pixels[ALL_KINDS][SIZE * SIZE * 4];
     burnish_render_options options = burnish_render_options_default();
     burnish_render_options_set_look(&options, look, NULL);
     options.width = options.height = SIZE;
     options.occlusion = 0; /* its sky depends on which way is up */
+    int white = -1;
     for (int i = 0; i < KINDS; ++i) {
         OWNED_MESH *mesh = load_kind(&kinds[i], kinds[i].name, 1);
         burnish_framing framing = burnish_framing_default();
@@ -96,9 +97,12 @@ static void test_same_grey(burnish_look look) {
         CHECK1(burnish_camera_frame(mesh, &framing, &options.camera, NULL) == BURNISH_STATUS_OK);
         CHECK1(burnish_look_set_materials(look, mesh, NULL) == BURNISH_STATUS_OK);
         draw_floats(mesh, &options, pixels[i], NULL);
-        CHECK(memcmp(pixels[i], pixels[0], sizeof *pixels) == 0, "%s, look %d: %g instead of %g",
+        const int is_gltf = strcmp(kinds[i].format, "gltf") == 0;
+        white = is_gltf && white < 0 ? i : white;
+        const int same = is_gltf ? white : 0;
+        CHECK(memcmp(pixels[i], pixels[same], sizeof *pixels) == 0, "%s, look %d: %g instead of %g",
               kinds[i].name, (int)look, (double)pixels[i][4 * (SIZE / 2 * SIZE + SIZE / 2)],
-              (double)pixels[0][4 * (SIZE / 2 * SIZE + SIZE / 2)]);
+              (double)pixels[same][4 * (SIZE / 2 * SIZE + SIZE / 2)]);
     }
 }
 
