@@ -197,11 +197,15 @@ done
 same "a CSS name" "$(hash :torus --size=32 --color=LightSteelBlue)" "$(hash :torus --size=32 --color=#b0c4de)"
 printf 'newmtl red\nKd 1 0 0\nKs 1 1 1\n' >colored.mtl
 printf 'v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n' >colors.obj
-printf 'newmtl m\nKa 0 0 0\nKd 0 0 0\nKs 0 0 0\n' >black.mtl
+printf 'newmtl m\nKa 0 0 0\nKd 0.1 0.1 0.1\nKs 0 0 0\n' >black.mtl
 printf 'mtllib black.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >black.obj
 lifted='materials that reflect almost nothing: 1; drawn as dark grey with a highlight, use --look=plain to see them black'
 expect 0 "burnish: warning: $lifted" render black.obj --size=32 --json=report.json -o b.png
 check "the report names black materials" grep -qF "\"$lifted\"" report.json
+printf 'newmtl m\nKa 0 0 0\nKd 0 0 0\nKs 0 0 0\n' >black.mtl
+expect 0 "burnish: warning: no material reflects light: drawn in the look's grey; use --color=black --look=plain for black" \
+    render black.obj --size=32 -o b.png
+same "a file of black alone" "$(hash black.obj --size=32)" "$(hash black.obj --size=32 --no-colors)"
 printf 'mtllib colored.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >colored.obj
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >grey.obj
 for file in colored.obj colors.obj; do

@@ -353,14 +353,21 @@ static void test_black_material(void) {
     static const struct {
         const char *line;
         float diffuse, specular, reflectance, emissive;
-        int is_lifted;
-    } cases[] = {{"x", 0, 0, 0, 0, 1},
+        int is_lifted; /* 2: grey, as all of the mesh is black */
+    } cases[] = {{"x", 0, 0, 0, 0, 2},
+                 {"x|--look=plain", 0, 0, 0.001f, 0, 2},
+                 {"x|--look=clay", 0.001f, 0, 0, 0, 0},
+                 {"x|--look=technical", 0.001f, 0, 0, 0, 2},
+                 {"x|--material=plastic", 0, 0, 0, 0, 2},
+                 {"x|--no-colors", 0, 0, 0, 0, 0},
+                 {"x|--color=black", 0, 0, 0, 0, 1},
                  {"x", 0.02f, 0.01f, 0, 0, 1},
                  {"x|--color=black", 0.5f, 0, 0, 0, 1},
                  {"x|--color=white", 0, 0, 0, 0, 0},
                  {"x|--material=metal|--color=silver", 0, 0, 0, 0, 0},
-                 {"x|--specular=0", 0, 0, 0, 0, 0},
-                 {"x|--look=plain", 0, 0, 0, 0, 0},
+                 {"x|--specular=0", 0, 0, 0, 0, 2},
+                 {"x|--specular=0", 0.01f, 0, 0, 0, 0},
+                 {"x|--look=plain", 0.02f, 0, 0, 0, 0},
                  {"x", 0.04f, 0, 0, 0, 0},
                  {"x", 0, 0.3f, 0, 0, 0},
                  {"x", 0, 0, 0.04f, 0, 0},
@@ -368,7 +375,7 @@ static void test_black_material(void) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         parsed line = parse(cases[i].line);
         burnish_mesh *mesh = NULL;
-        size_t lifted = 0;
+        render_blacks blacks;
         const burnish_load_options load = burnish_load_options_default();
         CHECK_OK(burnish_mesh_load(":sphere", &load, &mesh, &line.error), line.error);
         burnish_material material = burnish_material_default();
@@ -380,12 +387,16 @@ static void test_black_material(void) {
             material.emissive[k] = cases[i].emissive;
         }
         CHECK_OK(burnish_mesh_set_material(mesh, 0, &material, &line.error), line.error);
-        CHECK_OK(render_adjust_materials(&line.settings.shading, mesh, &lifted, &line.error),
+        CHECK_OK(render_adjust_materials(&line.settings.shading, mesh, &blacks, &line.error),
                  line.error);
         const burnish_material *seen = burnish_mesh_get_material(mesh, 0);
-        CHECK(lifted == (size_t)cases[i].is_lifted, "case %zu: %zu are lifted", i, lifted);
-        CHECK(!lifted || (seen->diffuse[1] == 0.035f && seen->reflectance[1] > 0), "case %zu: %g",
-              i, (double)seen->diffuse[1]);
+        CHECK(blacks.lifted == (cases[i].is_lifted == 1) &&
+                  blacks.are_all == (cases[i].is_lifted == 2),
+              "case %zu: %zu are lifted, all %d", i, blacks.lifted, blacks.are_all);
+        CHECK(blacks.are_all
+                  ? seen->diffuse[1] > 0.3f
+                  : !blacks.lifted || (seen->diffuse[1] == 0.035f && seen->reflectance[1] > 0),
+              "case %zu: %g", i, (double)seen->diffuse[1]);
         burnish_mesh_destroy(mesh);
     }
 }

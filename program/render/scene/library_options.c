@@ -111,8 +111,8 @@ static float largest_of(const float color[3]) {
     return largest;
 }
 
-/* Whether a material reflects and emits almost nothing, so no light can show its shape. */
-static int is_black(const burnish_material *material) {
+/* Whether a material reflects less than `least` and emits nothing, so no light can show its shape. */
+static int is_black(const burnish_material *material, float least) {
     const float specular = material->is_metallic ? 0 : largest_of(material->specular);
     const float reflectance = largest_of(material->reflectance) * (1 - material->metallic);
     int is_textured = 0;
@@ -120,8 +120,18 @@ static int is_black(const burnish_material *material) {
         is_textured |= material->textures[i].texture != 0;
     }
     return material->has_diffuse && !material->is_unlit && !is_textured &&
-           largest_of(material->emissive) == 0 && largest_of(material->diffuse) < LEAST_REFLECTED &&
-           specular < LEAST_REFLECTED && reflectance < LEAST_REFLECTED;
+           largest_of(material->emissive) == 0 && largest_of(material->diffuse) < least &&
+           specular < least && reflectance < least;
+}
+
+/* Whether a file states that nothing of it reflects light, as exporters do by mistake. */
+static int is_wholly_black(const burnish_mesh *mesh) {
+    const size_t count = burnish_mesh_get_material_count(mesh);
+    int is_black_so_far = count > 0 && !burnish_mesh_get_view(mesh)->colors;
+    for (size_t i = 0; i < count && is_black_so_far; ++i) {
+        is_black_so_far = is_black(burnish_mesh_get_material(mesh, i), 1.0F / 512);
+    }
+    return is_black_so_far;
 }
 
 /* Keeps what hue there is, and adds the highlight of smooth plastic. */
@@ -137,24 +147,34 @@ static void lift_black(burnish_material *material) {
     material->roughness = 0.35F;
 }
 
-burnish_status render_adjust_materials(const render_shading_settings *shading, burnish_mesh *mesh,
-                                       size_t *lifted, burnish_error *error) {
-    const size_t count = burnish_mesh_get_material_count(mesh);
+/* Takes the look's materials; if is_plain, of a mesh without colours. */
+static burnish_status take_look(burnish_look look, int is_plain, burnish_mesh *mesh,
+                                burnish_error *error) {
+    const size_t count = is_plain ? burnish_mesh_get_material_count(mesh) : 0;
     burnish_status status = BURNISH_STATUS_OK;
-    for (size_t i = 0; shading->no_colors && i < count && status == BURNISH_STATUS_OK; ++i) {
+    for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         burnish_material plain = burnish_material_default();
         plain.transparency = burnish_mesh_get_material(mesh, i)->transparency;
         status = burnish_mesh_set_material(mesh, i, &plain, error);
     }
-    status = status != BURNISH_STATUS_OK
-                 ? status
-                 : burnish_look_set_materials((burnish_look)shading->look, mesh, error);
+    return status == BURNISH_STATUS_OK ? burnish_look_set_materials(look, mesh, error) : status;
+}
+
+burnish_status render_adjust_materials(const render_shading_settings *shading, burnish_mesh *mesh,
+                                       render_blacks *blacks, burnish_error *error) {
+    const burnish_look look = (burnish_look)shading->look;
+    const size_t count = burnish_mesh_get_material_count(mesh);
+    burnish_status status = take_look(look, shading->no_colors, mesh, error);
+    *blacks = (render_blacks){0, !shading->color.given && is_wholly_black(mesh)};
+    if (blacks->are_all && status == BURNISH_STATUS_OK) {
+        status = take_look(look, 1, mesh, error);
+    }
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         burnish_material material = adjusted_material(shading, *burnish_mesh_get_material(mesh, i));
-        if (shading->look == BURNISH_LOOK_STUDIO && !shading->specular.given &&
-            is_black(&material)) {
+        if (look == BURNISH_LOOK_STUDIO && !shading->specular.given &&
+            is_black(&material, LEAST_REFLECTED)) {
             lift_black(&material);
-            *lifted += 1;
+            ++blacks->lifted;
         }
         status = burnish_mesh_set_material(mesh, i, &material, error);
     }

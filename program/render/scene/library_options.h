@@ -15,10 +15,15 @@ int render_has_own_lobe(const render_shading_settings *shading);
 /* Makes area lights and environments take the exponent of a material that has a roughness. */
 void render_make_phong(burnish_material *material);
 
-/* Applies --color, --material, --specular, --exponent and --opacity to every material; *lifted
- * grows by the number of black ones that the studio then makes visible. */
+/* Materials that no light would show. */
+typedef struct render_blacks {
+    size_t lifted; /* reflect almost nothing: the studio makes them visible */
+    int are_all;   /* 1: the file's materials reflect nothing at all; they become the look's grey */
+} render_blacks;
+
+/* Applies --color, --material, --specular, --exponent and --opacity to every material. */
 burnish_status render_adjust_materials(const render_shading_settings *shading, burnish_mesh *mesh,
-                                       size_t *lifted, burnish_error *error);
+                                       render_blacks *blacks, burnish_error *error);
 
 /* The options of drawing, without camera and lobe, which each cell sets. */
 burnish_render_options render_make_options(const render_settings *settings);

@@ -197,13 +197,18 @@ burnish_status render_prepare_picture(render_scene *scene, burnish_error *error)
         status = drop_shadow(scene, error);
     }
     if (status == BURNISH_STATUS_OK) { /* whose presets depend on the kinds of lights */
-        size_t lifted = 0;
-        status = render_adjust_materials(&settings->shading, scene->mesh, &lifted, error);
-        if (lifted > 0) {
+        render_blacks blacks;
+        status = render_adjust_materials(&settings->shading, scene->mesh, &blacks, error);
+        if (blacks.are_all) {
+            render_warn(scene->warnings, 1,
+                        "no material reflects light: drawn in the look's grey; use --color=black "
+                        "--look=plain for black");
+        }
+        if (blacks.lifted > 0) {
             render_warn(scene->warnings, 1,
                         "materials that reflect almost nothing: %zu; drawn as dark grey with a "
                         "highlight, use --look=plain to see them black",
-                        lifted);
+                        blacks.lifted);
         }
     }
     return status == BURNISH_STATUS_OK ? make_environment(scene, error) : status;
