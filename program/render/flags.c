@@ -289,9 +289,10 @@ static const cli_flag flags[] = {
      .manual = "Rotates the camera around the up axis, positive to the right. Framing takes it "
                "into account."},
     {DRAW_FLAG("elevation", "DEG", "raise the camera", cli_flag_real, camera.elevation),
-     CLI_RANGE(-ANGLE_MAX, ANGLE_MAX), .default_text = "0", .common = 1,
+     CLI_RANGE(-ANGLE_MAX, ANGLE_MAX), .default_label = "0, flat objects up to 30", .common = 1,
      .also = "camera-elevation-angle", .aliases = "tilt",
-     .manual = "Raises the camera, positive upward. Framing takes it into account."},
+     .manual = "Raises the camera, positive upward. Framing takes it into account. The default is "
+               "more than 0 if the height is below a quarter of the longest side."},
     {DRAW_FLAG("camera", "NAME", "camera of the input, by name or number from 0", cli_flag_text,
                camera.own),
      .value_type = CLI_TYPE_NAME, .aliases = "camera-index",

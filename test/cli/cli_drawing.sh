@@ -12,7 +12,7 @@ python3 - "$burnish" >../drawing.table <<'END'
 import json, subprocess, sys
 VALUES = {
     "resolution": "300,200", "rows": "0:5", "background-color": "silver", "plane": "depth:../d.npy", "up": "+Z", "lobe": "power",
-    "light": "headlight", "environment": "room", "occlusion": "8", "camera-orthographic-height": "9", "clip": "0,1,0,1",
+    "light": "headlight", "environment": "room", "occlusion": "8", "camera-orthographic-height": "9", "clip": "0,1,0,1", "elevation": "10",
     "color-by": "height", "isa": "scalar", "json": "../j.json", "look": "drawing", "material": "metal", "viewer": "distant",
     "max-memory": "8000000000G", "max-input-bytes": "1000000", "camera-focal-point": "1,0,0", "camera-direction": "0,0,-1",
     "edges": "creases", "annotate": "axes,box,dimensions,grid",

@@ -1,5 +1,6 @@
 /* The command line of `burnish render`: both forms of a flag, hints, strict numbers, defaults that
  * agree with the library's, and the scene that settings make of a mesh. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -7,8 +8,10 @@
 #include "base/cli/help.h"
 #include "cli/main.h"
 #include "decimal_comma.h"
+#include "render/scene/cameras.h"
 #include "render/scene/library_options.h"
 #include "render/scene/prepare.h"
+#include "render/scene/up.h"
 #include "render/settings/flag_values.h"
 
 typedef struct parsed {
@@ -348,6 +351,47 @@ static void test_lying_scene(void) {
     release(&p);
 }
 
+/* The three-quarter view rises over flat objects, unless a flag states the elevation. */
+static void test_flat_view(void) {
+    static const struct {
+        const char *line;
+        double height, elevation;
+    } cases[] = {{"x|--up=+Y", 3, 20},
+                 {"x|--up=+Y", 2.5, 20},
+                 {"x|--up=+Y", 1.5, 35},
+                 {"x|--up=+Y", 0.5, 50},
+                 {"x|--up=+Y|--azimuth=40", 0.1, 50},
+                 {"x|--up=+Y|--camera-orthographic", 1.5, 35},
+                 {"x|--up=+Z", 1.5, 20},
+                 {"x|--up=+Y|--elevation=0", 0.5, 20},
+                 {"x|--up=+Y|--elevation=-30", 0.5, -10},
+                 {"x|--up=+Y|--camera-direction=0,0,-1", 0.5, 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        parsed line = parse(cases[i].line);
+        char text[128];
+        burnish_mesh *mesh = NULL;
+        burnish_camera camera = {.view_angle = 0};
+        render_room room = {.is_given = 0};
+        const burnish_load_options load = burnish_load_options_default();
+        snprintf(text, sizeof text, "v 0 0 0\nv 10 0 0\nv 0 %g 0\nv 0 0 10\nf 1 2 3\nf 1 3 4\n",
+                 cases[i].height);
+        CHECK_OK(burnish_mesh_load_memory(text, strlen(text), "a.obj", &load, &mesh, &line.error),
+                 line.error);
+        render_set_stance(mesh, &line.settings.camera);
+        CHECK_OK(render_camera(mesh, &line.settings, VIEW_FREE, &room, &camera, &line.error),
+                 line.error);
+        const int up = strstr(cases[i].line, "+Z") ? 2 : 1;
+        double away[3], length = 0;
+        for (int k = 0; k < 3; ++k) {
+            away[k] = camera.position[k] - camera.focal_point[k];
+            length += away[k] * away[k];
+        }
+        const double rise = asin(away[up] / sqrt(length)) * 180 / 3.14159265358979;
+        CHECK(fabs(rise - cases[i].elevation) < 0.5, "case %zu: %g degrees", i, rise);
+        burnish_mesh_destroy(mesh);
+    }
+}
+
 /* The studio makes black materials visible, unless a flag or their emission does. */
 static void test_black_material(void) {
     static const struct {
@@ -492,6 +536,7 @@ int main(int count, char **arguments) {
     RUN(test_long_rows());
     RUN(test_cut_scene());
     RUN(test_lying_scene());
+    RUN(test_flat_view());
     RUN(test_black_material());
     RUN(test_lit_scene());
     RUN(test_dark_scene());

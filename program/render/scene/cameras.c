@@ -312,13 +312,28 @@ static void turn_default(request *from) {
     }
 }
 
+/* Degrees by which the three-quarter view of a flat object is raised, so that its face, with what is
+ * on it, is not foreshortened: from 0 if the height is a quarter of the longest side to 30 at a
+ * twentieth. */
+static double lift_of_flat(const burnish_mesh *mesh, const double up[3]) {
+    float low[3], high[3];
+    double height = 0, longest = 0;
+    burnish_mesh_get_bounds(mesh, low, high);
+    for (int k = 0; k < 3; ++k) {
+        const double extent = (double)high[k] - (double)low[k];
+        height += fabs(up[k]) * extent;
+        longest = extent > longest ? extent : longest;
+    }
+    return longest > 0 ? fmin(fmax((0.25 - height / longest) * 150, 0), 30) : 0;
+}
+
 /* The default view: three-quarter, or the standard view that shows a flat object face on. */
 static render_view default_view(request *from) {
     const render_camera_settings *camera = &from->settings->camera;
     const frame *axes = from->axes;
     const int k = camera->flat_axis - 1;
     if (camera->direction.given || camera->view_up.given || camera->azimuth.value != 0 ||
-        camera->elevation.value != 0) {
+        camera->elevation.given) {
         return VIEW_FREE;
     }
     if (k < 0) {
@@ -338,6 +353,11 @@ static burnish_status framed_camera(request from, render_view view, burnish_came
     double direction[3], upward[3];
     burnish_status status;
     memcpy(framing->up, axes->up, sizeof framing->up);
+    framing->elevation = settings->camera.elevation.value;
+    if (!settings->camera.elevation.given && !settings->camera.direction.given &&
+        !settings->camera.view_up.given) {
+        framing->elevation += lift_of_flat(from.mesh, axes->up);
+    }
     view = view == VIEW_FREE ? default_view(&from) : view;
     if (view != VIEW_FREE) {
         combine(axes, views[view].toward, -1, direction);
@@ -345,7 +365,6 @@ static burnish_status framed_camera(request from, render_view view, burnish_came
         return fit_along(from, direction, upward, camera, error);
     }
     framing->azimuth += settings->camera.azimuth.value;
-    framing->elevation = settings->camera.elevation.value;
     if (settings->camera.direction.given) {
         memcpy(framing->direction, settings->camera.direction.values, sizeof framing->direction);
         if (!settings->camera.view_up.given && parallel(framing->direction, framing->up)) {
