@@ -210,15 +210,16 @@ typedef struct view_mesh {
     view_frame frame;
     double diagonal; /* of the bounds */
     double radius;   /* of a point cloud's spheres; 0: triangles */
+    int has_strays;  /* 1: vertices outside the bounds are not framed */
     group_bounds *groups;
     size_t group_count;
 } view_mesh;
 
-/* Outliers of a point cloud are not framed. */
+/* Outliers are not framed. */
 static int is_framed(const view_mesh *view, size_t i) {
     const float *p = view->mesh->positions + 3 * i;
     const float *low = view->mesh->bounds_min, *high = view->mesh->bounds_max;
-    return view->radius == 0 || (p[0] >= low[0] && p[0] <= high[0] && p[1] >= low[1] &&
+    return !view->has_strays || (p[0] >= low[0] && p[0] <= high[0] && p[1] >= low[1] &&
                                  p[1] <= high[1] && p[2] >= low[2] && p[2] <= high[2]);
 }
 
@@ -410,6 +411,7 @@ static burnish_status frame_mesh(const burnish_mesh *mesh, const burnish_framing
                       choose_frame(options, arrays->up_axis),
                       burnish_vec3_length(burnish_vec3_sub(high, low)),
                       (double)arrays->point_radius,
+                      arrays->point_radius > 0 || mesh->has_strays,
                       NULL,
                       0};
     burnish_memory memory = burnish_memory_of(mesh->context, error);

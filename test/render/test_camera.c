@@ -1,10 +1,13 @@
 /* burnish_camera_frame: everything is inside the margin and as large as it allows; the axes are the
  * documented ones. */
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "mesh/build/build.h"
 #include "mesh/builtin.h"
 #include "mesh_arrays.h"
+#include "pictures.h"
 #include "vec.h"
 
 #define DEGREE (acos(-1.0) / 180)
@@ -305,6 +308,60 @@ static void test_arguments(void) {
     burnish_mesh_destroy(mesh);
 }
 
+/* A sphere of radius 1 with triangles of `size` at `distance`, which are strays or not. */
+static void test_strays(void) {
+    static const struct {
+        float distance, size;
+        int count, is_connected, strays;
+    } cases[] = {{1000, 0.01f, 1, 0, 1}, {-1e30f, 1e23f, 1, 0, 1}, {3e38f, 1e32f, 2, 0, 2},
+                 {20, 0.01f, 2, 0, 2},   {1e5f, 0.01f, 1, 1, 1},   {4, 0.01f, 1, 0, 0},
+                 {100, 10, 1, 0, 0},     {100, 0.01f, 1, 1, 0}};
+    const burnish_load_options load = burnish_load_options_default();
+    burnish_mesh *sphere = NULL;
+    CHECK1(burnish_mesh_load(":sphere", &load, &sphere, NULL) == BURNISH_STATUS_OK);
+    const burnish_mesh_view *view = burnish_mesh_get_view(sphere);
+    const size_t vertices = view->vertex_count, triangles = view->triangle_count;
+    float *positions = calloc(vertices + 6, 3 * sizeof *positions);
+    uint32_t *indices = calloc(triangles + 2, 3 * sizeof *indices);
+    burnish_render_options options = burnish_render_options_default();
+    const burnish_framing framing = burnish_framing_default();
+    options.width = options.height = 64;
+    uint64_t expected = 0;
+    for (size_t i = 0; i <= sizeof cases / sizeof *cases; ++i) { /* the first is the sphere alone */
+        const int count = i > 0 ? cases[i - 1].count : 0;
+        memcpy(positions, view->positions, 3 * vertices * sizeof *positions);
+        memcpy(indices, view->indices, 3 * triangles * sizeof *indices);
+        for (int t = 0; t < count; ++t) {
+            for (int k = 0; k < 3; ++k) {
+                float *p = positions + 3 * (vertices + (size_t)(3 * t + k));
+                const float at = t ? -cases[i - 1].distance : cases[i - 1].distance;
+                p[0] = at + (k == 1 ? cases[i - 1].size : 0);
+                p[1] = at * 0.5f + (k == 2 ? cases[i - 1].size + at * 1e-6f : 0);
+                p[2] = at * 0.25f;
+                indices[3 * (triangles + (size_t)t) + (size_t)k] =
+                    k > 0 && cases[i - 1].is_connected ? (uint32_t)k
+                                                       : (uint32_t)vertices + (uint32_t)(3 * t + k);
+            }
+        }
+        const burnish_mesh_description arrays =
+            describe_arrays(positions, NULL, NULL, vertices + 3 * (size_t)count, indices,
+                            triangles + (size_t)count);
+        OWNED_MESH *mesh = create_mesh(&arrays, NULL);
+        CHECK1(burnish_camera_frame(mesh, &framing, &options.camera, NULL) == BURNISH_STATUS_OK);
+        const uint64_t hash = hash_drawn(mesh, &options);
+        const int strays = i > 0 ? cases[i - 1].strays : 0;
+        float low[3], high[3];
+        burnish_mesh_get_bounds(mesh, low, high);
+        expected = i == 0 ? hash : expected;
+        CHECK((burnish_mesh_get_warning_count(mesh) > 0) == (strays > 0), "case %zu", i);
+        CHECK(strays == 0 || cases[i - 1].is_connected || hash == expected, "case %zu", i);
+        CHECK(i == 0 || high[0] > 3 || low[0] < -3, "case %zu: bounds of all", i);
+    }
+    free(positions);
+    free(indices);
+    burnish_mesh_destroy(sphere);
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_exact_fit());
@@ -312,6 +369,7 @@ int main(int count, char **arguments) {
     RUN(test_no_materials());
     RUN(test_views());
     RUN(test_degenerate_shapes());
+    RUN(test_strays());
     RUN(test_arguments());
     return test_end("camera");
 }

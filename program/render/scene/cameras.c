@@ -316,11 +316,10 @@ static void turn_default(request *from) {
  * on it, is not foreshortened: from 0 if the height is a quarter of the longest side to 30 at a
  * twentieth. */
 static double lift_of_flat(const burnish_mesh *mesh, const double up[3]) {
-    float low[3], high[3];
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     double height = 0, longest = 0;
-    burnish_mesh_get_bounds(mesh, low, high);
     for (int k = 0; k < 3; ++k) {
-        const double extent = (double)high[k] - (double)low[k];
+        const double extent = (double)view->bounds_max[k] - (double)view->bounds_min[k];
         height += fabs(up[k]) * extent;
         longest = extent > longest ? extent : longest;
     }

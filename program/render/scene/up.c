@@ -100,9 +100,9 @@ static double tipping(const burnish_mesh_view *view, int axis, const double cent
 
 /* 1 + the axis on which the object has no extent, or 0. */
 static int find_flat_axis(const burnish_mesh *mesh) {
-    float low[3], high[3];
+    const float *low = burnish_mesh_get_view(mesh)->bounds_min;
+    const float *high = burnish_mesh_get_view(mesh)->bounds_max;
     int thin = 0, long_axis = 0;
-    burnish_mesh_get_bounds(mesh, low, high);
     for (int k = 1; k < 3; ++k) {
         thin = high[k] - low[k] < high[thin] - low[thin] ? k : thin;
         long_axis = high[k] - low[k] > high[long_axis] - low[long_axis] ? k : long_axis;

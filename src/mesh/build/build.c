@@ -7,6 +7,7 @@
 #include "mesh/build/build.h"
 #include "mesh/build/builder.h"
 #include "mesh/build/normals/faces.h"
+#include "mesh/build/strays.h"
 #include "mesh/build/vertices.h"
 
 /* Moves the materials to the mesh, and the triangles' material numbers if there is more than one.
@@ -60,8 +61,6 @@ static void take_texts(burnish_builder *b) {
 }
 
 static void describe_mesh(burnish_builder *b) {
-    b->mesh->view.vertex_count = b->vertex_count;
-    b->mesh->view.triangle_count = b->triangle_count;
     memcpy(b->mesh->view.origin, b->data->origin, sizeof b->data->origin);
     b->mesh->view.point_radius = b->data->point_radius;
     memcpy(b->mesh->inner_min, b->data->inner_min, sizeof b->mesh->inner_min);
@@ -75,6 +74,28 @@ static void describe_mesh(burnish_builder *b) {
     b->mesh->info.normals = b->has_file_normals ? BURNISH_NORMALS_FILE : BURNISH_NORMALS_OWN;
     b->mesh->info.normals_replaced = b->normals_replaced;
     burnish_mesh_update_view(b->mesh);
+}
+
+/* Strays are drawn but not framed. */
+static void note_strays(burnish_builder *b) {
+    burnish_mesh *mesh = b->mesh;
+    size_t first = 0;
+    const size_t strays =
+        b->data->point_count + b->data->line_count > 0
+            ? 0
+            : burnish_find_strays(mesh, b->data->inner_min, b->data->inner_max, &first);
+    if (strays > 0) {
+        const float *p = (const float *)mesh->attributes[BURNISH_POSITION] +
+                         3 * (size_t)mesh->indices[3 * first];
+        const double *origin = b->data->origin;
+        mesh->has_strays = 1;
+        burnish_mesh_data_warn(
+            b->data,
+            "%s: %zu of %zu triangles are far from the others, near %g, %g, %g, so "
+            "the picture is framed without them; remove them, or set the camera",
+            burnish_show_name(b->name).text, strays, b->triangle_count, (double)p[0] + origin[0],
+            (double)p[1] + origin[1], (double)p[2] + origin[2]);
+    }
 }
 
 /* A point cloud needs nothing but its arrays. */
@@ -178,6 +199,9 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
         return status;
     }
     assert(b.triangle_count > 0 || b.mesh->texture_count == 0); /* as the renderer expects */
+    b.mesh->view.vertex_count = b.vertex_count;
+    b.mesh->view.triangle_count = b.triangle_count;
+    note_strays(&b);
     describe_mesh(&b);
     take_texts(&b);
     b.mesh->info.read_seconds = start - data->start;

@@ -171,8 +171,8 @@ static void bound_inside(const burnish_mesh_view *view, const float *least, cons
     }
 }
 
-/* The bounds of a point cloud's view: of the spheres that are framed. */
-static void bound_cloud(burnish_mesh *mesh) {
+/* The bounds of a view of which not all is framed: of a point cloud, of the spheres that are. */
+static void bound_framed(burnish_mesh *mesh) {
     burnish_mesh_view *view = &mesh->view;
     memcpy(mesh->points_min, view->bounds_min, sizeof mesh->points_min);
     memcpy(mesh->points_max, view->bounds_max, sizeof mesh->points_max);
@@ -202,8 +202,8 @@ void burnish_mesh_update_view(burnish_mesh *mesh) {
     if (view->vertex_count > 0) {
         burnish_bound_positions(positions, view->vertex_count, view->bounds_min, view->bounds_max);
     }
-    if (view->point_radius > 0) {
-        bound_cloud(mesh);
+    if (view->point_radius > 0 || mesh->has_strays) {
+        bound_framed(mesh);
     }
 }
 
@@ -242,7 +242,7 @@ const burnish_mesh_facts *burnish_mesh_get_facts(const burnish_mesh *mesh) {
 }
 
 void burnish_mesh_get_bounds(const burnish_mesh *mesh, float low[3], float high[3]) {
-    const int are_points = mesh && mesh->view.point_radius > 0;
+    const int are_points = mesh && (mesh->view.point_radius > 0 || mesh->has_strays);
     for (int k = 0; k < 3; ++k) {
         low[k] = !mesh ? 0 : are_points ? mesh->points_min[k] : mesh->view.bounds_min[k];
         high[k] = !mesh ? 0 : are_points ? mesh->points_max[k] : mesh->view.bounds_max[k];

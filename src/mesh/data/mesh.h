@@ -9,6 +9,7 @@ struct burnish_mesh {
     burnish_mesh_info info;
     burnish_mesh_facts facts;
     int has_facts;
+    int has_strays;                     /* 1: the inner box is framed, as of points */
     float inner_min[3], inner_max[3];   /* as in burnish_mesh_data */
     float points_min[3], points_max[3]; /* the same; of a point cloud, of what a cut has left */
     const burnish_context *context;     /* allocates all arrays */

@@ -1,0 +1,163 @@
+/* Triangles far from all others, which would shrink the object to a speck: a number that was damaged,
+ * or a forgotten part. They are not framed. */
+#include "mesh/build/strays.h"
+
+#include "core/vec3.h"
+
+enum {
+    BINS = 64,      /* of the vertices along an axis */
+    CORE = 8,       /* bins that the rest takes, at most */
+    SAMPLES = 1024, /* vertices that rule out strays for nearly all meshes */
+    TIMES = 8,      /* groups of strays, at most */
+    FEW = 12,       /* vertices that may be strays, or ... */
+    SHARE = 100     /* ... one of so many */
+};
+static const double AREA = 0.01;  /* of strays, at most, in that of the rest */
+static const double SPIKE = 1000; /* times the rest: strays may be connected to it */
+
+typedef struct box {
+    float low[3], high[3];
+} box;
+
+static int is_inside(const box *b, const float *p) {
+    return p[0] >= b->low[0] && p[0] <= b->high[0] && p[1] >= b->low[1] && p[1] <= b->high[1] &&
+           p[2] >= b->low[2] && p[2] <= b->high[2];
+}
+
+/* The box of every `step`-th vertex inside another. */
+static box bound(const burnish_mesh *mesh, const box *other, size_t step) {
+    const float *positions = mesh->attributes[BURNISH_POSITION];
+    box found = *other;
+    int is_first = 1;
+    for (size_t i = 0; i < mesh->view.vertex_count; i += step) {
+        const float *p = positions + 3 * i;
+        for (int k = 0; k < 3 && is_inside(other, p); ++k) {
+            found.low[k] = is_first || p[k] < found.low[k] ? p[k] : found.low[k];
+            found.high[k] = is_first || p[k] > found.high[k] ? p[k] : found.high[k];
+        }
+        is_first &= !is_inside(other, p);
+    }
+    return found;
+}
+
+static double longest_side(const box *b) {
+    double longest = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double side = (double)b->high[k] - (double)b->low[k];
+        longest = side > longest ? side : longest;
+    }
+    return longest;
+}
+
+/* The bins around the vertex in the middle up to an empty one on either side: [first, end). Returns
+ * the number of vertices in the others. */
+static size_t find_core(const size_t bins[BINS], int *first, int *end) {
+    size_t all = 0, below = 0, inside = 0;
+    int middle = 0;
+    for (int i = 0; i < BINS; ++i) {
+        all += bins[i];
+    }
+    while (2 * (below + bins[middle]) < all) {
+        below += bins[middle++];
+    }
+    for (*first = middle; *first > 0 && bins[*first - 1] > 0; --*first) {
+    }
+    for (*end = middle; *end < BINS && bins[*end] > 0; ++*end) {
+    }
+    for (int i = *first; i < *end; ++i) {
+        inside += bins[i];
+    }
+    return all - inside;
+}
+
+/* Cuts strays along an axis off the box. Returns whether there are any. */
+static int cut_axis(const burnish_mesh *mesh, int axis, size_t step, box *rest) {
+    const float *positions = mesh->attributes[BURNISH_POSITION];
+    const double low = (double)rest->low[axis], side = (double)rest->high[axis] - low;
+    size_t bins[BINS] = {0}, count = 0;
+    int first, end;
+    for (size_t i = 0; i < mesh->view.vertex_count; i += step) {
+        const float *p = positions + 3 * i;
+        if (is_inside(rest, p)) {
+            const int bin = (int)(((double)p[axis] - low) / side * BINS);
+            ++bins[bin < BINS ? bin : BINS - 1];
+            ++count;
+        }
+    }
+    const size_t others = find_core(bins, &first, &end);
+    if (others == 0 || end - first > CORE || (others > FEW && others > count / SHARE)) {
+        return 0;
+    }
+    rest->low[axis] = first > 0 ? (float)(low + side * (first - 0.5) / BINS) : rest->low[axis];
+    rest->high[axis] = end < BINS ? (float)(low + side * (end + 0.5) / BINS) : rest->high[axis];
+    return 1;
+}
+
+/* The box without strays. */
+static box cut_strays(const burnish_mesh *mesh, box all, size_t step) {
+    int was_cut = 1;
+    for (int i = 0; i < TIMES && was_cut; ++i) {
+        const double longest = longest_side(&all);
+        was_cut = 0;
+        for (int axis = 0; axis < 3 && !was_cut; ++axis) {
+            was_cut = (double)all.high[axis] - (double)all.low[axis] > longest / 4 &&
+                      cut_axis(mesh, axis, step, &all);
+        }
+        all = was_cut ? bound(mesh, &all, step) : all;
+    }
+    return all;
+}
+
+static double area_of(const float *a, const float *b, const float *c) {
+    const burnish_vec3 from = burnish_vec3_loadf(a);
+    return burnish_vec3_length(burnish_vec3_cross(burnish_vec3_sub(burnish_vec3_loadf(b), from),
+                                                  burnish_vec3_sub(burnish_vec3_loadf(c), from)));
+}
+
+/* The number of triangles outside the rest; 0 if they are no strays: too large, or connected to it.
+ *   first  receives the first one */
+static size_t count_strays(const burnish_mesh *mesh, const box *rest, int may_touch,
+                           size_t *first) {
+    const float *positions = mesh->attributes[BURNISH_POSITION];
+    double areas[2] = {0, 0};
+    size_t count = 0;
+    for (size_t i = mesh->view.triangle_count; i-- > 0;) {
+        const uint32_t *corners = mesh->indices + 3 * i;
+        const float *p[3];
+        int inside = 0;
+        for (int k = 0; k < 3; ++k) {
+            p[k] = positions + 3 * (size_t)corners[k];
+            inside += is_inside(rest, p[k]);
+        }
+        if (inside < 3) {
+            ++count;
+            *first = i;
+        }
+        if (inside == 0 || inside == 3) {
+            areas[inside / 3] += area_of(p[0], p[1], p[2]);
+        } else if (!may_touch) {
+            return 0;
+        }
+    }
+    return areas[0] <= AREA * areas[1] || may_touch ? count : 0;
+}
+
+size_t burnish_find_strays(const burnish_mesh *mesh, float low[3], float high[3], size_t *first) {
+    const size_t count = mesh->view.vertex_count, step = count / SAMPLES + 1;
+    box all;
+    burnish_bound_positions(mesh->attributes[BURNISH_POSITION], count, all.low, all.high);
+    const double size = longest_side(&all);
+    const box sampled = bound(mesh, &all, step), core = cut_strays(mesh, sampled, step);
+    if (!(size > 0) || longest_side(&core) > size * (CORE + 1) / BINS) {
+        return 0;
+    }
+    const box rest = cut_strays(mesh, all, 1);
+    const double left = longest_side(&rest);
+    const size_t strays =
+        left > 0 && left < size ? count_strays(mesh, &rest, size > SPIKE * left, first) : 0;
+    for (int k = 0; k < 3 && strays > 0; ++k) {
+        low[k] = rest.low[k];
+        high[k] = rest.high[k];
+    }
+    return strays;
+}
