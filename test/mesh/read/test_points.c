@@ -105,6 +105,28 @@ static void test_outliers(void) {
     }
 }
 
+/* Strays that hardly enlarge the box: not framed while they are one in a hundred at most. */
+static void test_strays(void) {
+    const burnish_load_options options = burnish_load_options_default();
+    for (int count = 0; count <= 12; ++count) {
+        static char text[20000];
+        size_t size = 0;
+        for (int i = 0; i < 900; ++i) {
+            size += (size_t)snprintf(text + size, sizeof text - size, "v %d %d %d\n", i % 30,
+                                     i / 30, (i * 7) % 5);
+        }
+        for (int i = 0; i < count; ++i) {
+            size += (size_t)snprintf(text + size, sizeof text - size, "v %d %d 0\n",
+                                     15 + 9 * (i % 3), 60 + 12 * (i / 3));
+        }
+        OWNED_MESH *mesh = load_bytes(text, size, "a.obj", &options);
+        const int are_few = count > 0 && count <= 9;
+        CHECK(mesh && burnish_mesh_get_warning_count(mesh) == (size_t)are_few, "%d strays", count);
+        const float high = mesh ? burnish_mesh_get_view(mesh)->bounds_max[1] : 0;
+        CHECK((high < 35) == (count == 0 || are_few), "%d strays, up to %g", count, (double)high);
+    }
+}
+
 enum { GRID = 160, VERTICES = GRID * GRID, BASE = 80 << 20, ROOM = 12000 * 112 };
 enum { WINDOW = 1 << 20 }; /* pieces of the file: a part of the base */
 
@@ -348,6 +370,7 @@ int main(int count, char **arguments) {
     RUN(test_sizes());
     RUN(test_density());
     RUN(test_outliers());
+    RUN(test_strays());
     RUN(test_preview());
     RUN(test_preview_threads());
     RUN(test_uneven());

@@ -8,12 +8,15 @@ enum {
     BOX_SAMPLES = 1 << 16,
     OUTLIERS_LEAST = 8,   /* points of which some may be outliers */
     OUTLIER_SHARE = 1000, /* one of so many at either end of an axis */
+    STRAY_SHARE = 100,    /* strays are at most one of so many */
     SAMPLES = 1024,       /* points whose neighbours are searched */
     NEIGHBORS = 6,
     CELLS_MOST = 1 << 22, /* of the grid that finds them */
     PER_CELL = 2048       /* points of a cell that are examined: more are at one position */
 };
 #define DOMINATED 4.0
+#define SPARSE 8.0
+#define SMALLER 1.15
 
 /* ---- Boxes ---- */
 
@@ -54,11 +57,12 @@ static int compare_floats(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* The box of all points but the most extreme ones of each axis, widened. */
-static burnish_status trim_box(const burnish_cloud *cloud, burnish_cloud_box *box,
-                               burnish_memory *memory) {
+/* The box of all points but the most extreme ones of each axis, one in `share` at either end, widened
+ * on all sides by `wider` times its longest side. */
+static burnish_status trim_box(const burnish_cloud *cloud, size_t share, float wider,
+                               burnish_cloud_box *box, burnish_memory *memory) {
     const size_t step = cloud->count / BOX_SAMPLES + 1, count = (cloud->count - 1) / step + 1;
-    const size_t rest = count / OUTLIER_SHARE > 0 ? count / OUTLIER_SHARE : 1;
+    const size_t rest = count / share > 0 ? count / share : 1;
     float *values = burnish_allocate(memory, count, sizeof *values, "a sample of points");
     if (!values) {
         return memory->status;
@@ -72,7 +76,7 @@ static burnish_status trim_box(const burnish_cloud *cloud, burnish_cloud_box *bo
         box->high[k] = values[count - 1 - rest];
     }
     burnish_release(memory->context, values);
-    const float margin = (float)(longest_side(box) / 2);
+    const float margin = wider * (float)longest_side(box);
     for (int k = 0; k < 3; ++k) {
         box->low[k] -= margin;
         box->high[k] += margin;
@@ -87,7 +91,7 @@ static burnish_status find_inner(burnish_cloud *cloud, burnish_memory *memory) {
     if (cloud->count < OUTLIERS_LEAST) {
         return BURNISH_STATUS_OK;
     }
-    if (trim_box(cloud, &trimmed, memory) != BURNISH_STATUS_OK) {
+    if (trim_box(cloud, OUTLIER_SHARE, 0.5F, &trimmed, memory) != BURNISH_STATUS_OK) {
         return memory->status;
     }
     const double all = burnish_cloud_diagonal(&cloud->inner);
@@ -220,6 +224,43 @@ static int compare_doubles(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
+/* Whether hardly any point is near: SPARSE times farther than is usual. */
+static int is_stray(const grid *g, const float *p) {
+    const double limit = SPARSE * g->cloud->spacing;
+    const nearest near = find_nearest(g, p);
+    return near.count < NEIGHBORS || near.squares[NEIGHBORS - 1] > limit * limit;
+}
+
+/* Takes strays out of the inner box, if they are few and it becomes clearly smaller. Only points
+ * near the ends of an axis are tested. */
+static burnish_status drop_strays(burnish_cloud *cloud, const grid *g, burnish_memory *memory) {
+    burnish_cloud_box core, rest = {.low = {0}};
+    size_t strays = 0, kept = 0;
+    if (cloud->count < STRAY_SHARE || !(cloud->spacing > 0) ||
+        trim_box(cloud, STRAY_SHARE / 2, 0, &core, memory) != BURNISH_STATUS_OK) {
+        return memory->status;
+    }
+    for (size_t i = 0; i < cloud->count && strays * STRAY_SHARE <= cloud->count; ++i) {
+        const float *p = cloud->positions + 3 * i;
+        if (!burnish_cloud_is_inside(&cloud->inner, p) ||
+            (!burnish_cloud_is_inside(&core, p) && is_stray(g, p))) {
+            ++strays;
+            continue;
+        }
+        for (int k = 0; k < 3; ++k) {
+            rest.low[k] = kept == 0 || p[k] < rest.low[k] ? p[k] : rest.low[k];
+            rest.high[k] = kept == 0 || p[k] > rest.high[k] ? p[k] : rest.high[k];
+        }
+        ++kept;
+    }
+    if (strays * STRAY_SHARE <= cloud->count &&
+        burnish_cloud_diagonal(&cloud->inner) > SMALLER * burnish_cloud_diagonal(&rest)) {
+        cloud->inner = rest;
+        cloud->outside = strays;
+    }
+    return memory->status;
+}
+
 burnish_status burnish_cloud_measure(burnish_cloud *cloud, burnish_memory *memory) {
     grid g = {.cloud = cloud};
     double found[SAMPLES];
@@ -241,6 +282,7 @@ burnish_status burnish_cloud_measure(burnish_cloud *cloud, burnish_memory *memor
         qsort(found, samples, sizeof *found, compare_doubles);
         cloud->spacing = samples > 0 ? __builtin_sqrt(found[samples / 2]) : 0;
         cloud->wide = samples > 0 ? __builtin_sqrt(found[samples * 3 / 4]) : 0;
+        drop_strays(cloud, &g, memory);
     }
     burnish_release(memory->context, g.first);
     cloud->order = g.order;

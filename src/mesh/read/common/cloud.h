@@ -31,7 +31,9 @@ static inline int burnish_cloud_is_inside(const burnish_cloud_box *box, const fl
  * The inner box is the bounding box, unless outliers dominate it: with 8 points or more, let T be
  * the box of all points but the most extreme 1/1000 (at least one) at either end of each axis,
  * widened on all sides by half its longest side. If the bounding box is over 4 times as long, along
- * its diagonal, as the box of the points in T, the inner box is the latter.
+ * its diagonal, as the box of the points in T, the inner box is the latter. Strays, whose 6th nearest
+ * point is over 8 times as far as `spacing`, are left out of it too, if they are at most 1/100 and its
+ * diagonal becomes shorter by 1.15.
  *
  * Errors: MEMORY. */
 burnish_status burnish_cloud_measure(burnish_cloud *cloud, burnish_memory *memory);
