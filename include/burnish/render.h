@@ -149,6 +149,11 @@ typedef struct burnish_render_options {
     int area_light_count;                                   /* [0, BURNISH_AREA_LIGHT_MAX] */
     int has_dome;                                           /* 1: dome shines */
     burnish_dome dome;
+    float
+        reflection_distance; /* 0, or [1.25, 1e6]: distant area lights and the dome are reflected as
+                                  if they were on a sphere of so many radii of the object around it,
+                                  so flat faces get a gradient. No effect with an environment, nor on
+                                  the light that casts a shadow */
     const burnish_environment *environment; /* NULL: none; must outlive the call */
     float environment_strength;             /* factor of its radiance, [0, 1e6] */
     double

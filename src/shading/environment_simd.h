@@ -197,7 +197,8 @@ typedef struct environment_vectors {
 } environment_vectors;
 
 /* is_tilted: the axis is moved toward the normal by alpha^2: rough surfaces reflect less from near
- * the horizon (as three.js does). */
+ * the horizon (as three.js does). With nearness it is moved by nearness times where the point is from
+ * the object's middle, toward what it meets on a sphere whose radius is 1 / nearness. */
 BURNISH_INLINE void environment_load(const burnish_environment_constants *constants,
                                      const burnish_kernels_points *points, int is_tilted,
                                      vf roughness, size_t i, environment_vectors *at) {
@@ -225,7 +226,12 @@ BURNISH_INLINE void environment_load(const burnish_environment_constants *consta
             at->axis[k] = environment_mix(mirrored, at->normal[k], vf_mul(alpha, alpha));
         }
     }
-    if (is_tilted) {
+    for (int k = 0; k < 3 && constants->nearness > 0; ++k) {
+        const vf place = vf_mul(vf_load(points->position[k] + i), vf_set(constants->nearness));
+        const vf moved = vf_add(at->axis[k], vf_set(constants->offset[k]));
+        at->axis[k] = vf_add(points->w ? vf_mul(moved, vf_load(points->w + i)) : moved, place);
+    }
+    if (is_tilted || constants->nearness > 0) {
         const vf inverse = vector_inverse_sqrt(shade_dot(at->axis, at->axis));
         for (int k = 0; k < 3; ++k) {
             at->axis[k] = vf_mul(at->axis[k], inverse);
@@ -387,8 +393,9 @@ static void add_environment(const burnish_environment_constants *constants,
                             const burnish_kernels_points *points,
                             const burnish_reflecting_points *each, size_t count,
                             float *const rgb[3]) {
-    const int only_normals = !constants->local_viewer && !each->roughness && !each->open &&
-                             !each->diffuse[0] && !each->reflectance[0] && !each->near_diffuse[0];
+    const int only_normals = !constants->local_viewer && !(constants->nearness > 0) &&
+                             !each->roughness && !each->open && !each->diffuse[0] &&
+                             !each->reflectance[0] && !each->near_diffuse[0];
     vf color[3] = {vf_set(0.0f), vf_set(0.0f), vf_set(0.0f)};
     for (size_t i = 0; i < count; i += LANES) {
         if (i > 0 && only_normals && shade_repeats(points->normal, i)) {

@@ -83,8 +83,10 @@ typedef struct burnish_point_materials {
 /* What all materials share. */
 typedef struct burnish_environment_constants {
     int local_viewer;
-    float viewer[3];                  /* as burnish_kernels_shader has it */
-    float axes[3][3];                 /* of the maps, in the points' space */
+    float viewer[3];  /* as burnish_kernels_shader has it */
+    float axes[3][3]; /* of the maps, in the points' space */
+    float nearness; /* 1 / distance of what maps show from the object's middle; 0: infinitely far */
+    float offset[3]; /* from the object's middle to the origin of positions, times nearness */
     const burnish_light_map *diffuse; /* NULL: no light comes from maps */
 } burnish_environment_constants;
 

@@ -285,6 +285,7 @@ static void change_area_lights(frame *f) {
         light->center[2] += light->shape > BURNISH_AREA_DISC ? 3 : 0; /* farther than a radius */
     }
     o->has_dome = chance(40);
+    o->reflection_distance = chance(50) ? (float)uniform(1.25, 4) : 0;
     o->dome.follows_camera = chance(50);
     for (int k = 0; k < 3; ++k) {
         o->dome.zenith[k] = (float)uniform(0, 2);

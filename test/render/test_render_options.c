@@ -64,6 +64,9 @@ static void test_options(burnish_mesh *sphere) {
     WRONG(options.has_dome = 1;
           options.dome.nadir[0] = 1,
           "dome: the radiance is negative between zenith, horizon and nadir; raise the horizon's");
+    WRONG(options.reflection_distance = 1,
+          "reflection distance: 1 is neither 0 nor in [1.25, 1e6]");
+    WRONG(options.reflection_distance = NAN, "reflection distance: nan");
     WRONG(options.environment_strength = NAN, "environment: a strength of nan is not in [0, 1e6]");
     WRONG(options.environment_turn = INFINITY,
           "environment: the turn must be a finite number of degrees");

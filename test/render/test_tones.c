@@ -215,6 +215,39 @@ static void test_studio(void) {
     CHECK(v[0] > 25 && v[1] > 40 && v[2] > 90, "black: %d, %d, %d", v[0], v[1], v[2]);
 }
 
+/* Percentiles 5 and 95 of the green channel on the faces of a cube of metal, two of them vertical. */
+static void test_flat_metal(void) {
+    static const float corners[12][3] = {{-1, -1, 1}, {1, -1, 1},  {1, 1, 1},  {-1, 1, 1},
+                                         {1, -1, 1},  {1, -1, -1}, {1, 1, -1}, {1, 1, 1},
+                                         {-1, 1, 1},  {1, 1, 1},   {1, 1, -1}, {-1, 1, -1}};
+    static uint8_t pixels[PIXELS][4], green[PIXELS];
+    static uint32_t triangles[PIXELS];
+    OWNED_MESH *mesh = create_quads(corners[0], NULL, 3);
+    burnish_render_options options = framed_options(mesh, SIDE, SIDE);
+    CHECK1(burnish_render_options_set_look(&options, BURNISH_LOOK_STUDIO, NULL) ==
+           BURNISH_STATUS_OK);
+    options.occlusion = 0;
+    options.samples = 1;
+    options.camera.orthographic_height =
+        3.5; /* one direction of view: one colour per face without it */
+    set_metal(mesh, 1, 0.3f);
+    const burnish_target target = make_target(
+        (burnish_pixels){SIDE, SIDE, BURNISH_PIXELS_RGBA8, SIDE * sizeof *pixels, pixels[0]}, NULL,
+        NULL, triangles, NULL);
+    draw_into(mesh, &options, &target, NULL);
+    for (uint32_t face = 0; face < 3; ++face) {
+        size_t count = 0;
+        for (int i = 0; i < PIXELS; ++i) {
+            green[count] = pixels[i][1];
+            count += triangles[i] / 2 == face;
+        }
+        qsort(green, count, 1, compare_bytes);
+        const int low = green[count / 20], high = green[count - 1 - count / 20];
+        CHECK(count > 500 && low > 50 && high - low > 12, "face %d: %d to %d of %d pixels",
+              (int)face, low, high, (int)count);
+    }
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_formulas());
@@ -223,5 +256,6 @@ int main(int count, char **arguments) {
     RUN(test_picture(BURNISH_TONES_SOFT, 1));
     RUN(test_picture(BURNISH_TONES_FILMIC, -1));
     RUN(test_studio());
+    RUN(test_flat_metal());
     return test_end("tones");
 }

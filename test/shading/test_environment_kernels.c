@@ -65,7 +65,8 @@ static void test_isa(const burnish_kernels *kernels) {
         const uint32_t bits = test_random32(&state);
         const int is_awkward = bits & 1;
         burnish_environment_constants constants = {.local_viewer = bits >> 1 & 1,
-                                                   .diffuse = bits >> 2 & 3 ? maps + 3 : NULL};
+                                                   .diffuse = bits >> 2 & 3 ? maps + 3 : NULL,
+                                                   .nearness = bits >> 8 & 1 ? 0.6f : 0};
         burnish_reflecting_material material = {.roughness = test_uniform_float(&state, 0, 1),
                                                 .reflects = bits >> 4 & 1,
                                                 .is_metallic = bits >> 5 & 1,
@@ -74,6 +75,7 @@ static void test_isa(const burnish_kernels *kernels) {
         for (int k = 0; k < 9; ++k) {
             constants.axes[k / 3][k % 3] = test_uniform_float(&state, -1, 1);
             constants.viewer[k % 3] = test_uniform_float(&state, -1, 1);
+            constants.offset[k % 3] = test_uniform_float(&state, -1, 1);
             material.diffuse[k % 3] = test_uniform_float(&state, 0, 1);
             material.reflectance[k % 3] = test_uniform_float(&state, 0, 1);
         }
@@ -145,6 +147,49 @@ static void test_look_up(void) {
     }
 }
 
+/* A mirror has the colour of the map in the mirror direction plus nearness times where the point is from
+ * the object's middle; positions count from the eye, 3 away. */
+static void test_nearness(void) {
+    static points p;
+    uint64_t state = test_seed(13);
+    const double nearness = 0.4, w = 0.5;
+    const burnish_environment_constants constants = {.viewer = {0, 0, 1},
+                                                     .axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                                     .nearness = (float)nearness,
+                                                     .offset = {0, 0, (float)(3 * nearness)},
+                                                     .diffuse = maps};
+    const burnish_reflecting_material mirror = {
+        .reflectance = {1, 1, 1}, .reflects = 1, .is_metallic = 1, .specular = maps};
+    fill_maps(&state);
+    memset(&p, 0, sizeof p);
+    for (int i = 0; i < POINTS; ++i) {
+        p.in[6][i] = (float)w;
+        for (int k = 0; k < 3; ++k) {
+            p.in[k][i] = test_uniform_float(&state, -1, 1);
+            p.in[3 + k][i] = test_uniform_float(&state, -0.3f, 0.3f) - (k == 2 ? 3 * (float)w : 0);
+        }
+    }
+    add_light(burnish_kernels_best(), &constants, &mirror, 0, POINTS, &p);
+    for (int i = 0; i < POINTS; ++i) {
+        const double n[3] = {(double)p.in[0][i], (double)p.in[1][i], (double)p.in[2][i]};
+        const double squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+        double toward[3], length = 0;
+        for (int k = 0; k < 3; ++k) {
+            const double place = (double)p.in[3 + k][i] / w + (k == 2 ? 3 : 0);
+            toward[k] = 2 * n[2] * n[k] / squared - (k == 2) + nearness * place;
+            length += toward[k] * toward[k];
+        }
+        for (int k = 0; k < 3; ++k) {
+            toward[k] /= sqrt(length);
+        }
+        for (int k = 0; k < 3; ++k) {
+            const double want = look_up(maps, k, toward);
+            CHECK(fabs((double)p.rgb[k][i] - want) < 2e-4, "point %d: %g, not %g", i,
+                  (double)p.rgb[k][i], want);
+        }
+    }
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
@@ -154,5 +199,6 @@ int main(int count, char **arguments) {
         }
     }
     RUN(test_look_up());
+    RUN(test_nearness());
     return test_end("environment_kernels");
 }

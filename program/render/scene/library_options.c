@@ -248,6 +248,7 @@ burnish_render_options render_make_options(const render_settings *settings) {
         memcpy(options.area_lights, shading->lights.areas, sizeof options.area_lights);
         options.area_light_count = shading->lights.area_count;
         options.has_dome = 0;
+        options.reflection_distance = 0;
     }
     if (picture->background.given) {
         for (int k = 0; k < 3; ++k) {

@@ -13,7 +13,8 @@ typedef struct look {
     const burnish_area_light *areas;
     int area_count;
     const burnish_dome *dome; /* NULL: none */
-    recolors recolors;        /* these materials become ... */
+    float reflection_distance;
+    recolors recolors; /* these materials become ... */
     float grey[3], specular;
     float roughness, reflectance; /* for area lights; 0: the same as specular and exponent */
     uint8_t background[3];
@@ -39,9 +40,10 @@ typedef struct look {
 #define BOX BURNISH_AREA_RECT, 1, 1, 0
 
 /* A product studio: a window on the upper left, a strip on the right, a panel above and behind,
- * a rim light on the left behind the object, and a table that rises toward the viewer, which vertical
- * faces of metal reflect. A white, matt surface gets at most 1.59, which tone mapping takes to 0.946:
- * most of a white part is brighter than 0.75. */
+ * a rim light on the left behind the object, and a table that rises toward the viewer with a brighter
+ * card on it, which vertical faces of metal reflect. They are so close (reflection_distance) that a flat
+ * face reflects an edge of one of them. A white, matt surface gets at most 1.59, which tone mapping
+ * takes to 0.946: most of a white part is brighter than 0.75. */
 static const burnish_area_light STUDIO_AREAS[] = {
     {BOX,
      {-0.4716, 0.6428, 0.6037},
@@ -51,15 +53,16 @@ static const burnish_area_light STUDIO_AREAS[] = {
     {BOX,
      {0.9458, 0.1045, 0.3073},
      {-0.0795, 0.7956, -0.0258},
-     {0.0433, 0, -0.1331},
-     {1.892f, 1.992f, 2.131f}},
+     {0.078, 0, -0.24},
+     {1.052f, 1.106f, 1.184f}},
     {BOX, {0, 0.7193, -0.6947}, {0, 0.2779, 0.2877}, {-2, 0, 0}, {0.9462f, 0.996f, 1.066f}},
     {BOX,
      {-0.8851, 0.1736, -0.4317},
      {0.1171, 0.7386, 0.0571},
      {-0.0877, 0, 0.1798},
      {0.7097f, 0.747f, 0.7993f}},
-    {BOX, {0, -0.87, 0.5}, {0, 0.5, 0.87}, {2.0, 0, 0}, {0.4316f, 0.4233f, 0.41f}},
+    {BOX, {0, -0.87, 0.5}, {0, 0.5, 0.87}, {2.2, 0, 0}, {0.2623f, 0.2573f, 0.249f}},
+    {BOX, {-0.2, -0.97, 0.326}, {0, 0.35, 0.609}, {0.9, 0, 0}, {0.415f, 0.4067f, 0.3943f}},
 };
 static const burnish_dome STUDIO_DOME = {
     {0.4731f, 0.498f, 0.5329f}, {0.08665f, 0.0913f, 0.09777f}, {0.0996f, 0.0996f, 0.0996f}, 1};
@@ -80,6 +83,7 @@ static const look LOOKS[BURNISH_LOOK_COUNT] = {
     [BURNISH_LOOK_STUDIO] = {.areas = STUDIO_AREAS,
                              .area_count = sizeof STUDIO_AREAS / sizeof *STUDIO_AREAS,
                              .dome = &STUDIO_DOME,
+                             .reflection_distance = 1.5f,
                              .recolors = UNCOLORED,
                              .grey = {0.344f, 0.35f, 0.359f},
                              .tones = BURNISH_TONES_SOFT,
@@ -166,6 +170,7 @@ void burnish_look_apply(burnish_look name, burnish_render_options *options) {
     }
     options->has_dome = wanted->dome != NULL;
     options->dome = wanted->dome ? *wanted->dome : (burnish_dome){.zenith = {0}};
+    options->reflection_distance = wanted->reflection_distance;
     options->tone_mapping = wanted->tones;
     options->occlusion = wanted->occlusion;
     options->occlusion_strength = wanted->occlusion_strength;

@@ -160,6 +160,12 @@ static burnish_status check_surroundings(const burnish_render_options *options,
                               !is_light_color(dome->nadir))) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "dome: needs radiances in [0, 1e6]");
     }
+    if (options->reflection_distance != 0 &&
+        !(options->reflection_distance >= 1.25f && options->reflection_distance <= 1e6f)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "reflection distance: %g is neither 0 nor in [1.25, 1e6]",
+                            (double)options->reflection_distance);
+    }
     for (int k = 0; options->has_dome && k < 3; ++k) {
         const double h = (double)dome->horizon[k];
         const double b = ((double)dome->zenith[k] - (double)dome->nadir[k]) / 2;

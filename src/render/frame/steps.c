@@ -204,6 +204,7 @@ static burnish_status update_area(burnish_call *d, burnish_texturing *texturing)
         texturing->wants_reflectance = needed;
     }
     burnish_vec3_store(up_of(d), d->view.area.up);
+    d->view.shading.needs_position |= needed && d->options->reflection_distance > 0;
     for (int i = 0; i < d->options->area_light_count; ++i) {
         d->view.shading.needs_position |= !d->options->area_lights[i].is_distant;
     }

@@ -392,6 +392,12 @@ burnish_status burnish_area_update(burnish_area *area, const burnish_drawn_mesh 
     burnish_status status;
     area->constants = (burnish_environment_constants){.local_viewer = view->local_viewer};
     memcpy(area->constants.viewer, view->viewer, sizeof area->constants.viewer);
+    if (options->reflection_distance > 0 && !has_environment(options)) {
+        area->constants.nearness = 1 / options->reflection_distance;
+        for (int k = 0; k < 3; ++k) {
+            area->constants.offset[k] = (float)view->eye[k] * area->constants.nearness;
+        }
+    }
     find_key(area, options, view);
     gather_near(area, options, view);
     status = update_maps(area, options, view, memory);
