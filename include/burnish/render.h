@@ -255,8 +255,9 @@ typedef struct burnish_render_report {
  * more per vertex, and 12 per triangle.
  * The ground takes the same for at least 16 directions, and 2.2 MB. A shadow takes 2 MB, 8 MB in
  * images above 1024 pixels. Transparent triangles take 1 bit per triangle of the mesh and, for each
- * thread, 1.1 MB per sample. Distant area lights, a dome or an environment take at most 2.2 MB for
- * each roughness of the materials, at most 16, and 5 MB if textures vary roughness.
+ * thread, 1.1 MB per sample. Distant area lights, a dome or an environment take at most 5 MB for
+ * each roughness of the materials, at most 16, and 12 MB if textures vary roughness. Images above 512
+ * pixels take 45 MB for each roughness below 0.125, at most 5.
  * Errors: ARGUMENT, MEMORY, CANCELLED, LIMIT (max_overdraw, or a mesh that is too small, below
  * about 1e-33 across, or too much enlarged for single precision). */
 BURNISH_API burnish_status burnish_render(const burnish_mesh *mesh,

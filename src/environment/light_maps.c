@@ -102,7 +102,7 @@ void burnish_light_maps_destroy(burnish_light_maps *maps) {
 static void fill_key(const burnish_light_sources *sources, key *k) {
     memset(k, 0, sizeof *k);
     k->distant_count = sources->distant_count;
-    k->largest = sources->largest > 0 ? sources->largest : BURNISH_LIGHT_MAP_LARGEST;
+    k->largest = sources->largest > 0 ? sources->largest : BURNISH_LIGHT_MAP_USUAL;
     for (int i = 0; i < sources->distant_count; ++i) {
         const burnish_area_light *from = &sources->distant[i];
         burnish_area_light *to = &k->distant[i];
@@ -155,7 +155,8 @@ const burnish_light_map *burnish_light_maps_diffuse(const burnish_light_maps *ma
 
 burnish_status burnish_light_maps_need(burnish_light_maps *maps, float alpha,
                                        burnish_light_map *specular, burnish_error *error) {
-    alpha = alpha > BURNISH_LIGHT_ALPHA_MIN ? alpha < 1 ? alpha : 1 : BURNISH_LIGHT_ALPHA_MIN;
+    const float least = burnish_light_least_alpha(maps->key.largest);
+    alpha = alpha > least ? alpha < 1 ? alpha : 1 : least;
     table *found = NULL;
     for (int i = 0; i < BURNISH_LIGHT_ALPHAS_MAX; ++i) {
         table *t = &maps->alphas[i];
@@ -180,10 +181,12 @@ burnish_status burnish_light_maps_levels(burnish_light_maps *maps, int first,
                                          burnish_light_map levels[BURNISH_LIGHT_LEVELS],
                                          burnish_error *error) {
     burnish_status status = BURNISH_STATUS_OK;
-    first = first > 1 ? first : 1;
+    const float least = burnish_light_least_alpha(maps->key.largest);
+    first = first > 0 || least < BURNISH_LIGHT_ALPHA_USUAL ? first : 1;
     for (int i = first; i < BURNISH_LIGHT_LEVELS && status == BURNISH_STATUS_OK; ++i) {
         const float roughness = (float)i / (BURNISH_LIGHT_LEVELS - 1);
-        status = make_map(maps, &maps->levels[i], roughness * roughness, &levels[i], error);
+        status = make_map(maps, &maps->levels[i], i > 0 ? roughness * roughness : least, &levels[i],
+                          error);
     }
     for (int i = 0; i < first; ++i) {
         levels[i] = levels[first];

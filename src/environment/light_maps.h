@@ -8,8 +8,13 @@
 #include "core/tasks.h"
 #include "shading/light_map.h"
 
-/* The most maps of one alpha each, and the most texels per side of a map. */
-enum { BURNISH_LIGHT_ALPHAS_MAX = 16, BURNISH_LIGHT_MAP_LARGEST = 256 };
+/* The most maps of one alpha each, and the most texels per side of a map. A look-up in a map of at most
+ * BURNISH_LIGHT_MAP_USUAL texels per side costs less than computing it. */
+enum {
+    BURNISH_LIGHT_ALPHAS_MAX = 16,
+    BURNISH_LIGHT_MAP_USUAL = 256,
+    BURNISH_LIGHT_MAP_LARGEST = 1024
+};
 
 /* All in the space of the maps. */
 typedef struct burnish_light_sources {
@@ -20,7 +25,7 @@ typedef struct burnish_light_sources {
     const burnish_environment *environment; /* NULL: none */
     float strength;                         /* factor of the environment, [0, 1e6] */
     double environment_axes[3][3];          /* its axes x, y (up), z: orthonormal rows */
-    int largest; /* texels per side, even, [24, BURNISH_LIGHT_MAP_LARGEST]; 0: the most */
+    int largest; /* texels per side, even, [24, BURNISH_LIGHT_MAP_LARGEST]; 0: USUAL */
 } burnish_light_sources;
 
 typedef struct burnish_light_maps burnish_light_maps;
@@ -45,13 +50,13 @@ const burnish_light_map *burnish_light_maps_diffuse(const burnish_light_maps *ma
 
 /* Spec(R, alpha) of light.h, kept as long as the sources are the same. Valid until the next
  * burnish_light_maps_set(), after which another map may replace it.
- *   alpha  clamped to [BURNISH_LIGHT_ALPHA_MIN, 1]
+ *   alpha  clamped to [burnish_light_least_alpha(sources.largest), 1]
  * Errors: MEMORY, LIMIT (more than BURNISH_LIGHT_ALPHAS_MAX since then: use the levels). */
 burnish_status burnish_light_maps_need(burnish_light_maps *maps, float alpha,
                                        burnish_light_map *specular, burnish_error *error);
 
 /* The same for the levels from `first`, [0, BURNISH_LIGHT_LEVELS), on; the others are copies of it.
- * Level 0 is a copy of level 1: maps have no more detail. */
+ * Level 0 has the least alpha; if level 1 has, too, it is a copy. */
 burnish_status burnish_light_maps_levels(burnish_light_maps *maps, int first,
                                          burnish_light_map levels[BURNISH_LIGHT_LEVELS],
                                          burnish_error *error);
@@ -60,7 +65,14 @@ burnish_status burnish_light_maps_levels(burnish_light_maps *maps, int first,
  * caller alone. */
 void burnish_light_map_complete(burnish_light_map *map, burnish_tasks *tasks);
 
-#define BURNISH_LIGHT_ALPHA_MIN 0.015625f /* of level 1 */
+/* The alpha of level 1. Maps of 256 texels per side have no more detail than that. */
+#define BURNISH_LIGHT_ALPHA_USUAL 0.015625f
+
+/* The alpha of the narrowest lobe that maps with so many texels per side can show: a texel is at most
+ * 0.7 of its radius. */
+static inline float burnish_light_least_alpha(int largest) {
+    return largest > BURNISH_LIGHT_MAP_USUAL ? 3 / (float)largest : BURNISH_LIGHT_ALPHA_USUAL;
+}
 
 /* Axes of an environment whose y axis is `up` (not 0), turned by `degrees` about it,
  * counter-clockwise from above. For up = y and 0 degrees they are x, y, z; for another up they are

@@ -1,5 +1,5 @@
-/* A map is the sum of a dome, an environment and polygons. The polygons' light through each lobe is
- * computed in a smaller map, because it costs the most time. */
+/* A map is the sum of a dome, an environment and polygons. The light of both through each lobe is computed
+ * in a smaller map, because it costs the most time. */
 #include "environment/map_fill.h"
 
 #include <stddef.h>
@@ -37,7 +37,7 @@ typedef struct cubic {
     int first;
 } cubic;
 
-/* A map, or the polygons' light through one lobe. */
+/* A map, or light through one lobe. */
 typedef struct grid {
     int size, border, stride; /* texels per side, around them, and per row */
     int across;               /* cells per row of cells */
@@ -45,7 +45,8 @@ typedef struct grid {
     atomic_uchar *states;
     float *coordinates; /* p of the columns, q of the rows of a half; up to a multiple of 4 */
     cubic *cubics;      /* of a lobe: for the rows and the columns of the map that it is added to */
-    burnish_map_light light;
+    burnish_map_light light,
+        direct; /* direct: of a map, through lobes without a map of their own */
 } grid;
 
 struct burnish_map_cells {
@@ -130,6 +131,9 @@ static void light_cells(grid *s, const int *cells, int cell_count) {
         memset(rgb[c], 0, (size_t)count * sizeof *rgb[c]);
     }
     burnish_map_light_add(&s->light, w, count, rgb);
+    if (s->direct.lobes.count > 0) {
+        burnish_map_light_add(&s->direct, w, count, rgb);
+    }
     for (int i = 0; i < count; ++i) {
         s->texels[numbers[i]] = (texel){rgb[0][i], rgb[1][i], rgb[2][i], 0};
     }
@@ -278,11 +282,15 @@ static void make_ready(void *context, int number) {
 }
 
 /* Texels per side: a texel of a map has at most a third of the radius of a lobe. Then a bilinear
- * look-up across the edge of a light is at most 0.7 % of its radiance off. Maps of lobes have fewer
- * texels, because they are read by cubics. */
+ * look-up across the edge of a light is at most 0.7 % of its radiance off. Above the usual size, half of
+ * the radius must do. Maps of lobes have fewer texels, because they are read by cubics. */
 static int size_for(const burnish_map_filler *filler, const burnish_light_lobe *lobe,
                     float texels) {
-    const int size = (int)(texels / burnish_map_lobe_radius(lobe) + 1) / 2 * 2;
+    const int fine = (int)(texels / burnish_map_lobe_radius(lobe) + 1) / 2 * 2,
+              coarse = fine / 3 * 2;
+    const int size = coarse > BURNISH_LIGHT_MAP_USUAL ? coarse
+                     : fine < BURNISH_LIGHT_MAP_USUAL ? fine
+                                                      : BURNISH_LIGHT_MAP_USUAL;
     const int least = texels < MAP_TEXELS ? LEAST_SIZE / 3 : LEAST_SIZE;
     const int most = filler->sources.largest;
     return size < least ? least : size > most ? most : size;
@@ -311,14 +319,27 @@ static void make_cubics(const grid *map, grid *lobe, burnish_memory *memory) {
     }
 }
 
-/* The map, and a grid for each lobe unless no polygon shines. */
+static void prepare_lobe(const grid *map, grid *lobe, const burnish_light_lobe *own, int size,
+                         burnish_memory *memory) {
+    lobe->light.lobes = (burnish_light_lobes){1, {*own}};
+    lobe->light.filler = map->light.filler;
+    lobe->light.has_environment = 1;
+    lobe->size = size;
+    lobe->border = WIDE_BORDER;
+    burnish_map_light_add_polygons(&lobe->light);
+    allocate_grid(lobe, memory);
+    make_cubics(map, lobe, memory);
+}
+
+/* The map, and a grid for each lobe that needs fewer texels, if more than a dome shines. */
 static void prepare_grids(burnish_map_cells *cells, const burnish_map_filler *filler, float alpha,
                           burnish_memory *memory) {
     grid *map = &cells->map;
     map->size = alpha > 0 ? LEAST_SIZE : DIFFUSE_SIZE;
     map->border = BORDER;
     map->light.filler = filler;
-    map->light.has_rest = 1;
+    map->light.has_dome = 1;
+    map->light.has_environment = alpha <= 0;
     map->light.lobes = alpha > 0 ? burnish_light_lobes_for(alpha) : (burnish_light_lobes){0};
     for (int j = 0; j < map->light.lobes.count; ++j) {
         const int own = size_for(filler, &map->light.lobes.lobe[j], MAP_TEXELS);
@@ -329,17 +350,20 @@ static void prepare_grids(burnish_map_cells *cells, const burnish_map_filler *fi
         burnish_map_light_add_polygons(&map->light);
         return;
     }
-    cells->lobe_count = filler->sources.distant_count > 0 ? map->light.lobes.count : 0;
-    for (int j = 0; j < cells->lobe_count; ++j) {
-        grid *lobe = &cells->lobes[j];
-        lobe->light.lobes = (burnish_light_lobes){1, {map->light.lobes.lobe[j]}};
-        lobe->light.filler = filler;
-        lobe->size = size_for(filler, &lobe->light.lobes.lobe[0], LOBE_TEXELS);
-        lobe->border = WIDE_BORDER;
-        burnish_map_light_add_polygons(&lobe->light);
-        allocate_grid(lobe, memory);
-        make_cubics(map, lobe, memory);
+    const int count = map->light.lobes.count;
+    const int has_lights = filler->sources.distant_count > 0 || filler->sources.environment;
+    for (int j = 0; has_lights && j < count && memory->status == BURNISH_STATUS_OK; ++j) {
+        const burnish_light_lobe *own = &map->light.lobes.lobe[j];
+        const int size = size_for(filler, own, LOBE_TEXELS);
+        if (size < map->size) {
+            prepare_lobe(map, &cells->lobes[cells->lobe_count++], own, size, memory);
+        } else {
+            map->direct.lobes.lobe[map->direct.lobes.count++] = *own;
+        }
     }
+    map->direct.filler = filler;
+    map->direct.has_environment = 1;
+    burnish_map_light_add_polygons(&map->direct);
 }
 
 burnish_status burnish_map_cells_create(const burnish_map_filler *filler, float alpha,

@@ -58,11 +58,33 @@ static const burnish_environment_level *choose_level(const burnish_environment *
     return &environment->levels[i];
 }
 
-/* Lobes have a radius of at least 1.5 pixels, so there are pixels in their caps, and a small image
- * is seen without its pixels. */
-static float zeta_limit(const burnish_environment *environment, int order) {
-    const float radius = 1.5f * 3.14159265f / (float)environment->levels[0].height;
-    return 2 / (radius * radius * (float)(order + 1));
+/* Sums need lobes with a radius of at least 1.5 pixels, so there are pixels in their caps, and a small
+ * image is seen without its pixels. Narrower ones become a mean of such a lobe and of cubic B-splines,
+ * whose variance is 1/3 pixel^2, with the variance of the lobe: (m + 1) r^2 / (2 (m + 2)) for the radius
+ * r and the order m. Narrowest are the splines. Returns their share, and widens the lobe. */
+static float spline_share(const burnish_environment *environment, burnish_light_lobe *lobe) {
+    const float pixel = 3.14159265f / (float)environment->levels[0].height;
+    const float radius = burnish_map_lobe_radius(lobe) / pixel, m = (float)lobe->order;
+    const float scale = (m + 1) / (2 * (m + 2)), splines = 1.0f / 3;
+    const float share =
+        scale * (2.25f - radius * radius) / (scale * 2.25f - splines); /* of the variance */
+    if (radius >= 1.5f) {
+        return 0;
+    }
+    lobe->zeta = 2 / (2.25f * pixel * pixel * (m + 1));
+    return share < 1 ? share : 1;
+}
+
+static void add_splines(const burnish_environment *environment, float scale,
+                        const float *const axis[3], int count, float *const rgb[3]) {
+    for (int i = 0; i < count; ++i) {
+        const double w[3] = {(double)axis[0][i], (double)axis[1][i], (double)axis[2][i]};
+        float color[3];
+        burnish_environment_lookup(environment, 0, w, color);
+        for (int k = 0; k < 3; ++k) {
+            rgb[k][i] += scale * color[k];
+        }
+    }
 }
 
 static void add_environment(const burnish_map_filler *filler, const burnish_light_lobes *lobes,
@@ -84,11 +106,16 @@ static void add_environment(const burnish_map_filler *filler, const burnish_ligh
     }
     for (int j = 0; j < lobes->count; ++j) {
         burnish_light_lobe lobe = lobes->lobe[j];
-        const float most = zeta_limit(environment, lobe.order);
-        lobe.zeta = lobe.zeta < most ? lobe.zeta : most;
-        const burnish_environment_filter filter = {choose_level(environment, &lobe), lobe.zeta,
-                                                   __builtin_ctz((unsigned)lobe.order)};
-        ops->filter_environment(&filter, sources->strength * lobe.weight, axis, (size_t)count, rgb);
+        const float share = spline_share(environment, &lobe);
+        const float scale = sources->strength * lobe.weight;
+        if (share > 0) {
+            add_splines(environment, scale * share, axis, count, rgb);
+        }
+        if (share < 1) {
+            const burnish_environment_filter filter = {choose_level(environment, &lobe), lobe.zeta,
+                                                       __builtin_ctz((unsigned)lobe.order)};
+            ops->filter_environment(&filter, scale * (1 - share), axis, (size_t)count, rgb);
+        }
     }
 }
 
@@ -305,7 +332,7 @@ void burnish_map_light_add(const burnish_map_light *light, const float *const w[
     const burnish_light_sources *sources = &light->filler->sources;
     const burnish_light_lobes *lobes = light->lobes.count > 0 ? &light->lobes : NULL;
     float radii[GROUPS_MAX];
-    if (sources->dome && light->has_rest) {
+    if (sources->dome && light->has_dome) {
         add_dome(sources, lobes, w, count, rgb);
     }
     if (light->polygon_count > 0) {
@@ -314,7 +341,7 @@ void burnish_map_light_add(const burnish_map_light *light, const float *const w[
     for (int i = 0; i < light->polygon_count; ++i) {
         add_polygon(light, i, w, count, radii, rgb);
     }
-    if (sources->environment && sources->strength > 0 && light->has_rest) {
+    if (sources->environment && sources->strength > 0 && light->has_environment) {
         add_environment(light->filler, lobes, w, count, rgb);
     }
 }

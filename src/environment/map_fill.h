@@ -27,11 +27,11 @@ typedef struct burnish_map_reach {
     float all;
 } burnish_map_reach;
 
-/* Light through the sum of some lobes, or of all lights on a matt surface. */
+/* Light through the sum of some lobes, or on a matt surface. */
 typedef struct burnish_map_light {
     const burnish_map_filler *filler;
     burnish_light_lobes lobes; /* count 0: diffuse */
-    int has_rest;              /* 1: the dome and the environment too, not only polygons */
+    int has_dome, has_environment;
     int polygon_count;
     burnish_polygon_constants polygons[BURNISH_AREA_LIGHT_MAX];
     burnish_map_reach reaches[BURNISH_AREA_LIGHT_MAX];

@@ -157,6 +157,64 @@ static void test_sources(void) {
     check_sources(&areas, (const double[4]){2e-3, 3e-3, 6e-3, 6e-3});
 }
 
+/* ---- Sharpness ---- */
+
+/* Degrees in which a mirror's light rises from 0.1 to 0.9 along an arc across an edge at azimuth 0. */
+static double edge_width(const burnish_light_sources *sources, double tilt) {
+    burnish_light_maps *maps = maps_of(sources);
+    burnish_light_map map;
+    double begin = 0, end = 0;
+    CHECK1(burnish_light_maps_need(maps, 0, &map, NULL) == BURNISH_STATUS_OK);
+    for (double degrees = -8; degrees < 8; degrees += 0.01) {
+        const double a = degrees * M_PI / 180;
+        double w[3] = {cos(a), sin(a) * sin(tilt), sin(a) * cos(tilt)};
+        const double light = look_up(&map, 0, w);
+        begin = light < 0.1 ? degrees : begin;
+        end = light < 0.9 ? degrees : end;
+    }
+    burnish_light_maps_destroy(maps);
+    return end - begin;
+}
+
+/* An image whose half is white. */
+static burnish_environment *make_halves(int columns) {
+    burnish_environment *environment = NULL;
+    float *rgb = malloc(3 * sizeof *rgb * (size_t)columns * (size_t)columns / 2);
+    for (int i = 0; i < 3 * columns * columns / 2; ++i) {
+        rgb[i] = i / 3 % columns >= columns / 2;
+    }
+    CHECK1(burnish_environment_create(NULL, columns, columns / 2, rgb, &environment, NULL) ==
+           BURNISH_STATUS_OK);
+    free(rgb);
+    return environment;
+}
+
+/* Across an edge of a softbox and of images. Their pixels are 360 degrees over the columns, and a cubic
+ * B-spline rises in 1.7 pixels. */
+static void test_sharpness(void) {
+    static const struct {
+        int largest, columns;
+        double most;
+    } rows[] = {{256, 0, 4.8},  {512, 0, 1.9},    {1024, 0, 1},   {64, 128, 6},
+                {1024, 128, 5}, {1024, 512, 1.3}, {1024, 1024, 1}};
+    const burnish_area_light half = {BURNISH_AREA_RECT, 1,         0,         1,
+                                     {1, 0, 1},         {0, 0, 1}, {0, 2, 0}, {1, 1, 1}};
+    for (int i = 0; i < (int)(sizeof rows / sizeof *rows); ++i) {
+        burnish_light_sources sources = {.strength = 1,
+                                         .environment_axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                         .largest = rows[i].largest};
+        burnish_environment *environment = rows[i].columns ? make_halves(rows[i].columns) : NULL;
+        sources.distant = &half;
+        sources.distant_count = environment == NULL;
+        sources.environment = environment;
+        const double width = edge_width(&sources, 0.3);
+        printf("  %d texels, %d columns: %.2f degrees\n", rows[i].largest, rows[i].columns, width);
+        CHECK(width > 0.1 && width < rows[i].most, "%d texels, %d columns: %g degrees",
+              rows[i].largest, rows[i].columns, width);
+        burnish_environment_destroy(environment);
+    }
+}
+
 /* Maps are kept until a source changes. */
 static void test_keys(void) {
     burnish_area_light light = softbox;
@@ -207,6 +265,7 @@ static void test_axes(void) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_sources());
+    RUN(test_sharpness());
     RUN(test_keys());
     RUN(test_axes());
     return test_end("light_maps");

@@ -9,8 +9,11 @@
 /* The least of the largest sizes of maps. */
 enum { SMALL_MAP = 64 };
 
-/* Pictures of so many pixels look up most directions: their maps are completed first. */
+/* Pictures of so many pixels look up most directions: their maps of usual size are completed first. */
 enum { LARGE_PICTURE = 1 << 20 };
+
+/* The most alphas of a frame below BURNISH_LIGHT_ALPHA_USUAL, whose maps are large. */
+enum { NARROW_ALPHAS = 4 };
 
 /* ---- What shines ---- */
 
@@ -72,7 +75,7 @@ static void store_vector(const burnish_area_view *view, int follows_camera, int 
     burnish_vec3_store(turns ? from_camera_space(view, v) : burnish_vec3_load(v), out);
 }
 
-/* A small picture needs no more texels across half of the sphere than half of its pixels. */
+/* A picture needs no more texels across half of the sphere than half of its pixels. */
 static int largest_map(const burnish_render_options *options) {
     const int side = options->width > options->height ? options->width : options->height;
     const int size = side / 4 * 2;
@@ -265,7 +268,9 @@ static void find_alpha(burnish_area *area, const burnish_textured_material *text
                        burnish_area_material *material) {
     const float roughness = material->reflecting.roughness;
     const int varies = textured && varies_roughness(textured);
-    const float alpha = clamped_value(roughness * roughness, BURNISH_LIGHT_ALPHA_MIN, 1.0f);
+    const float least =
+        area->narrow_count < NARROW_ALPHAS ? area->least_alpha : BURNISH_LIGHT_ALPHA_USUAL;
+    const float alpha = clamped_value(roughness * roughness, least, 1.0f);
     int i = 0;
     while (i < area->alpha_count && area->alphas[i] != alpha) {
         ++i;
@@ -273,14 +278,15 @@ static void find_alpha(burnish_area *area, const burnish_textured_material *text
     if (varies || i == BURNISH_LIGHT_ALPHAS_MAX) {
         material->reflecting.has_levels = area->has_levels = 1;
         material->reflecting.specular = area->levels;
-        const float least = varies ? least_roughness(textured, roughness) : roughness;
-        const int first = (int)(least * (BURNISH_LIGHT_LEVELS - 1) - 0.01f); /* for rounding */
+        const float lowest = varies ? least_roughness(textured, roughness) : roughness;
+        const int first = (int)(lowest * (BURNISH_LIGHT_LEVELS - 1) - 0.01f); /* for rounding */
         area->first_level = first < area->first_level ? first : area->first_level;
         return;
     }
     material->alpha = i;
     material->reflecting.specular = &area->specular[i];
     if (i == area->alpha_count) {
+        area->narrow_count += alpha < BURNISH_LIGHT_ALPHA_USUAL;
         area->alphas[area->alpha_count++] = alpha;
     }
 }
@@ -299,7 +305,7 @@ static burnish_status prepare_alphas(burnish_area *area, burnish_memory *memory)
     }
     for (int i = 0; area->has_levels && i < BURNISH_LIGHT_LEVELS; ++i) {
         const float roughness = (float)i / (BURNISH_LIGHT_LEVELS - 1);
-        area->alphas[count++] = clamped_value(roughness * roughness, BURNISH_LIGHT_ALPHA_MIN, 1.0f);
+        area->alphas[count++] = clamped_value(roughness * roughness, area->least_alpha, 1.0f);
     }
     if (status == BURNISH_STATUS_OK && area->near_lights.count > 0) {
         status = burnish_near_lights_prepare(&area->near_lights, area->alphas, count, memory);
@@ -356,7 +362,7 @@ static burnish_status update_materials(burnish_area *area, const burnish_drawn_m
         burnish_reserve_discard(memory, area->materials, &area->material_capacity,
                                 mesh->material_count, sizeof *area->materials, "materials");
     status = memory->status;
-    area->alpha_count = area->has_levels = 0;
+    area->alpha_count = area->narrow_count = area->has_levels = 0;
     area->first_level = BURNISH_LIGHT_LEVELS - 1;
     for (size_t i = 0; i < mesh->material_count && status == BURNISH_STATUS_OK; ++i) {
         const burnish_material *from = burnish_mesh_get_material(mesh->mesh, i);
@@ -374,13 +380,19 @@ static burnish_status update_materials(burnish_area *area, const burnish_drawn_m
     return status == BURNISH_STATUS_OK ? prepare_alphas(area, memory) : status;
 }
 
+static void complete_map(burnish_light_map *map, burnish_tasks *tasks) {
+    if (map->size <= BURNISH_LIGHT_MAP_USUAL) {
+        burnish_light_map_complete(map, tasks);
+    }
+}
+
 static void complete_maps(burnish_area *area, burnish_tasks *tasks) {
-    burnish_light_map_complete(&area->diffuse, tasks);
+    complete_map(&area->diffuse, tasks);
     for (int i = 0; i < area->alpha_count; ++i) {
-        burnish_light_map_complete(&area->specular[i], tasks);
+        complete_map(&area->specular[i], tasks);
     }
     for (int i = 0; area->has_levels && i < BURNISH_LIGHT_LEVELS; ++i) {
-        burnish_light_map_complete(&area->levels[i], tasks);
+        complete_map(&area->levels[i], tasks);
     }
 }
 
@@ -398,6 +410,7 @@ burnish_status burnish_area_update(burnish_area *area, const burnish_drawn_mesh 
             area->constants.offset[k] = (float)view->eye[k] * area->constants.nearness;
         }
     }
+    area->least_alpha = burnish_light_least_alpha(largest_map(options));
     find_key(area, options, view);
     gather_near(area, options, view);
     status = update_maps(area, options, view, memory);

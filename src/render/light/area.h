@@ -122,7 +122,8 @@ typedef struct burnish_area {
     size_t used_capacity;
     uint64_t used_mesh; /* burnish_mesh_view.serial; 0: nobody's */
     float alphas[BURNISH_LIGHT_ALPHAS_MAX + BURNISH_LIGHT_LEVELS]; /* of this frame */
-    int alpha_count, has_levels, first_level;
+    int alpha_count, narrow_count, has_levels, first_level;        /* narrow: below ALPHA_USUAL */
+    float least_alpha;
     burnish_light_map diffuse, specular[BURNISH_LIGHT_ALPHAS_MAX]; /* of the alphas */
     burnish_light_map levels[BURNISH_LIGHT_LEVELS];
 } burnish_area;
