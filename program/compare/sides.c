@@ -231,6 +231,7 @@ static void describe_side(comparison *c, int i) {
     side->settings = c->settings->render;
     side->settings.input.name = side->input;
     side->settings.shading.lobes.count = 1;
+    side->settings.shading.ground += side->settings.shading.ground == 0 ? -1 : 0;
     side->settings.shading.lobes.items[0] =
         c->settings->render.shading.lobes.items[c->lobes ? i : 0];
     side->options = render_make_options(&side->settings);

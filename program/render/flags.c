@@ -445,10 +445,20 @@ static const cli_flag flags[] = {
          "smoother and slower."},
     {DRAW_SWITCH("ground", "draw a soft shadow below the object", shading.ground),
      .svg = CLI_SVG_REFUSED, .common = 1, .aliases = "contact-shadow,ground-shadow",
+     .default_label = "in studio",
      .manual = "A soft shadow on the horizontal plane through the object's lowest point, if the "
                "camera is above it. The plane itself is invisible: it darkens the background, and "
-               "a transparent background becomes black with the shadow as alpha. Framing leaves "
-               "room for the shadow, and more on the right with *--shadow*."},
+               "a transparent background becomes black with the shadow as alpha. The shadow of the "
+               "strongest area light falls away from it; that of a directional light needs "
+               "*--shadow*. The object is as large as without. Drawn by default in the look "
+               "*studio* if the object stands on its lowest points, but not with *--views*, "
+               "*--plane*, *--occlusion=none* or linear outputs. If *--no-ground* is given too, "
+               "the last of both counts."},
+    {DRAW_FLAG("no-ground", NULL, "no shadow below the object", render_flag_no_ground,
+               shading.ground),
+     .svg = CLI_SVG_SAME, .aliases = "no-contact-shadow,no-ground-shadow",
+     .manual = "Draws no shadow below the object, for pictures that are laid over others or "
+               "measured."},
     {DRAW_SWITCH("shadow", "shadow of the key light on the object", shading.shadow),
      .svg = CLI_SVG_REFUSED, .aliases = "shadows,cast-shadows",
      .manual = "The first light, which must be directional, casts a shadow with a soft edge on the "

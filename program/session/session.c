@@ -174,11 +174,17 @@ static char *allocate_texts(session_options options) {
     return malloc(size);
 }
 
-/* Sets what is false or an empty list: nothing if the flag is a switch or adds up. */
+/* Sets what is false or an empty list: nothing if the flag is a switch or adds up, unless there is
+ * one that begins with "no-". */
 static burnish_status switch_off(const cli_command *command, const cli_flag *flag,
                                  render_settings *settings, burnish_error *error) {
+    char opposite[CLI_NAME_MAX];
+    const int length = snprintf(opposite, sizeof opposite, "no-%s", flag->name);
     if (flag->off) {
         return cli_set(command, flag->name, flag->off, settings, error);
+    }
+    if (!flag->value && cli_find_flag(command, opposite, (size_t)length)) {
+        return cli_set(command, opposite, NULL, settings, error);
     }
     return flag->value && !flag->repeats
                ? cli_fail(error, BURNISH_STATUS_ARGUMENT,

@@ -132,6 +132,16 @@ typedef struct burnish_render_ops {
     void (*add_silhouette)(const struct burnish_silhouette *silhouette, float row, size_t count,
                            float *const *layers);
 
+    /* Blurs 16 neighbouring columns of `edge` x `edge` texels by a tent of 2 radius texels to each
+     * side. scratch: 16 edge numbers. */
+    void (*blur_columns)(float *texels, size_t edge, int radius, float *scratch);
+
+    /* Darkens a row of the ground's texture, 65535 is black, by what layers add up to there, each
+     * edge^2 after the one before.
+     *   strength  what is left where they add up to 1: 1 - strength */
+    void (*darken_ground)(const float *layers, size_t edge, int layer_count, float strength,
+                          float row, uint16_t *texels);
+
     /* How dark the ground is at count points of the screen, [0, 1], 0 where it is not seen; depths
      * are not read. Reads and writes whole vectors. */
     void (*shadow_ground)(const struct burnish_ground_view *view,

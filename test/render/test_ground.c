@@ -6,7 +6,7 @@
 enum { SIZE = 201 };
 
 /* As render/ground.c has it: what is left of the background where no sky is seen. */
-#define STRENGTH 0.85
+#define STRENGTH 0.94
 /* And what the first light adds to the rest. */
 #define LIGHT_STRENGTH 0.4
 
@@ -146,7 +146,7 @@ static void test_border(void) {
     for (int i = 0; i < SIZE; ++i) {
         darkest = fmax(darkest, 1 - (double)pixel_at(pixels, 0, i)[0]);
     }
-    CHECK(darkest < 0.01, "the edge of the image loses %g", darkest);
+    CHECK(darkest < 0.02, "the edge of the image loses %g", darkest);
     CHECK((double)pixel_at(pixels, 30, SIZE / 2)[0] < 0.7, "no shadow further inside");
     free(pixels);
     burnish_mesh_destroy(mesh);

@@ -169,18 +169,6 @@ burnish_annotate_options render_make_annotations(const burnish_mesh *mesh,
     return annotations;
 }
 
-/* Room for the shadows on the ground: ambient light casts them on all sides, the key light to the
- * right. Enough for a cube; the shadows of taller objects can be cut off. */
-static const double ground_inset[4] = {0.08, 0.08, 0.1, 0};
-#define KEY_SHADOW_INSET 0.16
-
-static void add_ground_inset(const render_settings *settings, double inset[4]) {
-    for (int k = 0; k < 4 && settings->shading.ground; ++k) {
-        const double room = k == 1 && settings->shading.shadow ? KEY_SHADOW_INSET : ground_inset[k];
-        inset[k] = inset[k] > room ? inset[k] : room;
-    }
-}
-
 /* What a camera is made from. */
 typedef struct request {
     const burnish_mesh *mesh;
@@ -190,7 +178,8 @@ typedef struct request {
     render_room *room;
 } request;
 
-/* burnish_camera_frame with room for annotations and shadows. */
+/* burnish_camera_frame with room for annotations. Shadows on the ground get none: the object is as
+ * large as without. */
 static burnish_status frame_with_room(const request *from, burnish_camera *camera,
                                       burnish_error *error) {
     const burnish_mesh *mesh = from->mesh;
@@ -204,7 +193,6 @@ static burnish_status frame_with_room(const request *from, burnish_camera *camer
                                         settings->picture.size[1], room->inset, error);
     }
     if (!room->is_given) {
-        add_ground_inset(settings, room->inset);
         room->inset[1] += render_legend_inset(settings);
         room->inset[1] = room->inset[1] < 0.45 ? room->inset[1] : 0.45;
     }

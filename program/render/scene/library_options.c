@@ -240,7 +240,7 @@ burnish_render_options render_make_options(const render_settings *settings) {
     if (!is_drawing && shading->tone_mapping) {
         options.tone_mapping = (burnish_tone_mapping)(shading->tone_mapping - 1);
     }
-    options.ground = shading->ground;
+    options.ground = shading->ground > 0;
     options.shadow = shading->shadow;
     if (shading->lights.given) {
         memcpy(options.lights, shading->lights.items, sizeof options.lights);

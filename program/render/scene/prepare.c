@@ -1,5 +1,7 @@
 #include "render/scene/prepare.h"
 
+#include "picture/formats.h"
+#include "render/scene/cameras.h"
 #include "render/scene/color.h"
 #include "render/scene/library_options.h"
 #include "render/scene/up.h"
@@ -151,6 +153,21 @@ static burnish_status drop_shadow(const render_scene *scene, burnish_error *erro
     return BURNISH_STATUS_OK;
 }
 
+/* Whether to draw the ground if no flag decides. Pictures that are measured have none, nor has a GIF
+ * without background, which shows half of a shadow as black. */
+static int wants_ground(const render_scene *scene) {
+    const render_settings *settings = scene->settings;
+    const picture_format format = (picture_format)settings->output.format;
+    double up[3];
+    render_upward(scene->mesh, &settings->camera, up);
+    return settings->shading.ground == 0 && settings->shading.look == BURNISH_LOOK_STUDIO &&
+           scene->options->occlusion != 0 && settings->picture.views.count == 0 &&
+           settings->output.planes.count == 0 && !picture_is_drawing(format) &&
+           format != PICTURE_EXR && format != PICTURE_NPY &&
+           !(format == PICTURE_GIF && settings->picture.background.transparent) &&
+           render_stands(scene->mesh, up);
+}
+
 /* ---- The environment ---- */
 
 static void log_warning(void *warnings, const char *line) {
@@ -193,6 +210,7 @@ burnish_status render_prepare_picture(render_scene *scene, burnish_error *error)
     if (settings->shading.lights.of_file) {
         status = add_file_lights(scene, error);
     }
+    scene->options->ground |= wants_ground(scene);
     if (status == BURNISH_STATUS_OK) {
         status = drop_shadow(scene, error);
     }

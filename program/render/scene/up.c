@@ -61,11 +61,13 @@ static int find_center(const burnish_mesh_view *view, double center[3]) {
            OPEN_SHARE * total;
 }
 
-/* Distance from the centre to the edge of the contact area, in each direction. */
-static void measure_reach(const burnish_mesh_view *view, int axis, const double center[3],
-                          double reach[DIRECTIONS]) {
-    const double low = (double)view->bounds_min[axis];
-    const double limit = low + CONTACT * ((double)view->bounds_max[axis] - low);
+/* Distance from the centre to the edge of the contact area, in each direction.
+ *   sign  of the up direction along the axis */
+static void measure_reach(const burnish_mesh_view *view, int axis, double sign,
+                          const double center[3], double reach[DIRECTIONS]) {
+    const double low = (double)(sign > 0 ? view->bounds_min : view->bounds_max)[axis];
+    const double height = (double)view->bounds_max[axis] - (double)view->bounds_min[axis];
+    const double limit = sign * low + CONTACT * height;
     const int first = (axis + 1) % 3, second = (axis + 2) % 3;
     for (int i = 0; i < DIRECTIONS; ++i) {
         reach[i] = -DBL_MAX;
@@ -74,7 +76,7 @@ static void measure_reach(const burnish_mesh_view *view, int axis, const double 
         const float *p = view->positions + 3 * v;
         const double x = (double)p[first] - center[first];
         const double y = (double)p[second] - center[second];
-        for (int i = 0; i < DIRECTIONS / 4 && (double)p[axis] <= limit; ++i) {
+        for (int i = 0; i < DIRECTIONS / 4 && sign * (double)p[axis] <= limit; ++i) {
             const double across = i, along = DIRECTIONS / 4 - i;
             const double length = sqrt(across * across + along * along);
             const double c = along / length, s = across / length;
@@ -90,7 +92,7 @@ static void measure_reach(const burnish_mesh_view *view, int axis, const double 
 /* The angle in degrees by which the object can lean before it falls. */
 static double tipping(const burnish_mesh_view *view, int axis, const double center[3]) {
     double reach[DIRECTIONS], least = DBL_MAX;
-    measure_reach(view, axis, center, reach);
+    measure_reach(view, axis, 1, center, reach);
     for (int i = 0; i < DIRECTIONS; ++i) {
         least = reach[i] < least ? reach[i] : least;
     }
@@ -137,6 +139,37 @@ render_stance render_find_stance(const burnish_mesh *mesh) {
     stance.is_other =
         !stance.flat_axis && here < doubted && stance.tipping[stance.other] >= believed;
     return stance;
+}
+
+/* The narrowest contact that carries an object, as a share of its height or, if that is less, of its
+ * narrower side: neither a tip nor an edge does. A sphere has 0.2 of its height. */
+#define NARROW 0.05
+#define NARROW_SIDE 0.3
+
+int render_stands(const burnish_mesh *mesh, const double up[3]) {
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    const burnish_mesh_info *info = burnish_mesh_get_info(mesh);
+    const int axis = up[0] != 0 ? 0 : up[1] != 0 ? 1 : 2;
+    double center[3], reach[DIRECTIONS], sides[3], least = DBL_MAX, width = DBL_MAX;
+    if (info->point_count + info->line_count > 0 || view->triangle_count == 0 ||
+        find_flat_axis(mesh)) {
+        return 0;
+    }
+    find_center(view, center);
+    measure_reach(view, axis, up[axis], center, reach);
+    for (int i = 0; i < DIRECTIONS; ++i) {
+        const double both = reach[i] + reach[(i + DIRECTIONS / 2) % DIRECTIONS];
+        least = reach[i] < least ? reach[i] : least;
+        width = both < width ? both : width;
+    }
+    for (int k = 0; k < 3; ++k) {
+        sides[k] = (double)view->bounds_max[k] - (double)view->bounds_min[k];
+    }
+    const double side = fmin(sides[(axis + 1) % 3], sides[(axis + 2) % 3]);
+    const double low = (double)(up[axis] > 0 ? view->bounds_min : view->bounds_max)[axis];
+    const double rise = fabs(center[axis] - low);
+    return width >= fmin(NARROW * sides[axis], NARROW_SIDE * side) &&
+           atan2(least, rise) * (180 / 3.14159265358979323846) > -DOUBTED;
 }
 
 void render_set_stance(const burnish_mesh *mesh, render_camera_settings *camera) {

@@ -69,6 +69,13 @@ burnish_status render_flag_no_background(const cli_flag *flag, const char *text,
     return BURNISH_STATUS_OK;
 }
 
+burnish_status render_flag_no_ground(const cli_flag *flag, const char *text, void *target,
+                                     burnish_error *error) {
+    (void)flag, (void)text, (void)error;
+    *(int *)target = -1;
+    return BURNISH_STATUS_OK;
+}
+
 /* Copies the next item of a list. An item that is too long is cut, and no parser accepts it.
  */
 static void copy_item(const char **text, char *copy, size_t size) {

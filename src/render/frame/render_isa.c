@@ -26,6 +26,8 @@ const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD) = {
     OP(add_bounces),
     OP(cast_shadow),
     OP(add_silhouette),
+    OP(blur_columns),
+    OP(darken_ground),
     OP(shadow_ground),
     OP(plane_records),
     OP(locate_points),

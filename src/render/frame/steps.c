@@ -221,9 +221,16 @@ static burnish_status update_ground(burnish_call *d) {
     const burnish_mesh_view *mesh = d->mesh.view;
     const burnish_vec3 eye = burnish_vec3_load(d->view.eye);
     const double origin[3] = {0, 0, 0};
-    const burnish_shadow *shadow = d->report.shadow ? &renderer->shadow : NULL;
+    const burnish_render_options *options = d->options;
+    const int is_directional = options->light_count > 0;
+    const burnish_area *area = is_directional ? NULL : d->view.shading.area;
+    const burnish_ground_light light = {
+        .occlusion = &renderer->occlusion,
+        .shadow = d->report.shadow && is_directional ? &renderer->shadow : NULL,
+        .key = area ? area->toward_key : (burnish_vec3){0, 0, 0},
+        .side = options->width < options->height ? options->width : options->height};
     burnish_occlusion_lookup lookup;
-    if (!d->options->ground || !d->target.pixels.pixels) {
+    if (!options->ground || !d->target.pixels.pixels) {
         return BURNISH_STATUS_OK;
     }
     burnish_ground_place(ground, mesh, up_of(d));
@@ -232,13 +239,12 @@ static burnish_status update_ground(burnish_call *d) {
         return BURNISH_STATUS_OK;
     }
     burnish_status status = update_maps(d, origin, &lookup);
-    if (status == BURNISH_STATUS_OK &&
-        !burnish_ground_is_drawn(ground, &renderer->occlusion, shadow)) {
-        status = burnish_ground_draw(ground, d->view.shading.ops, &renderer->occlusion, shadow,
-                                     &renderer->tasks, &d->memory);
+    if (status == BURNISH_STATUS_OK && !burnish_ground_is_drawn(ground, &light)) {
+        status =
+            burnish_ground_draw(ground, d->view.shading.ops, &light, &renderer->tasks, &d->memory);
     }
-    d->view.ground = burnish_ground_look(ground, &d->view.shading.rays, eye, d->options->width,
-                                         d->options->height);
+    d->view.ground =
+        burnish_ground_look(ground, &d->view.shading.rays, eye, options->width, options->height);
     return status;
 }
 

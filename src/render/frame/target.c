@@ -408,7 +408,14 @@ static void add_backdrop(const burnish_output *output, const burnish_tile *tile,
 static void darken_background(const burnish_output *output, const burnish_tile_sums *sums,
                               int number, const float *shadow, burnish_row_light *row,
                               float *alpha) {
-    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS && !sums; ++i) { /* most of all rows */
+        alpha[i] = output->transparent ? shadow[i] : 1.0f;
+        for (int k = 0; k < 3; ++k) {
+            const float background = output->transparent ? 0.0f : output->background_light[k];
+            row->rgb[k][i] = background - shadow[i] * background;
+        }
+    }
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS && sums; ++i) {
         const float share = background_share(output, sums, number, row, i);
         const float dark = share * shadow[i], before = 1.0f - share;
         alpha[i] = output->transparent ? before + dark : 1.0f;

@@ -191,18 +191,19 @@ static double strength_of(const burnish_area_view *view, const burnish_area_ligh
     return radiance * area * cosine / (area + BURNISH_PI * burnish_vec3_dot(center, center));
 }
 
-/* The strongest light, unless another one casts the shadow. */
+/* The strongest light, unless another one casts the shadow; the ground's needs no map. */
 static void find_key(burnish_area *area, const burnish_render_options *options,
                      const burnish_area_view *view) {
     double most = 0;
+    const int casts = options->light_count == 0 && (options->shadow || options->ground);
     area->key = -1;
-    for (int i = 0; options->shadow && options->light_count == 0 && i < options->area_light_count;
-         ++i) {
+    area->toward_key = (burnish_vec3){0, 0, 0};
+    for (int i = 0; casts && i < options->area_light_count; ++i) {
         burnish_vec3 toward;
         const double strength = strength_of(view, &options->area_lights[i], &toward);
         if (light_shines(&options->area_lights[i]) && strength > most) {
             most = strength;
-            area->key = i;
+            area->key = options->shadow ? i : -1;
             area->toward_key = toward;
         }
     }

@@ -115,7 +115,8 @@ typedef struct burnish_area {
     burnish_light_maps *maps;         /* NULL: not created yet */
     burnish_near_lights near_lights;  /* their alphas are followed by levels */
     int key;                          /* number of the area light that casts a shadow, or -1 */
-    burnish_vec3 toward_key;          /* from the object's centre, a unit vector */
+    burnish_vec3 toward_key;          /* the strongest one, from the object's centre, a unit vector;
+                                         0: no shadow is cast on object or ground */
     burnish_area_material *materials; /* one per material */
     size_t material_capacity;
     uint8_t *used; /* one per material: 1: a triangle has it */

@@ -5,25 +5,37 @@
 #include "render/space.h"
 
 /* The texture reaches as far as the mesh and this many times its height, but no further than
- * LARGEST_REACH, in the raster's space, where the mesh fills the unit sphere; from FADE of that on
- * the shadow fades. */
+ * LARGEST_REACH, in the raster's space, where the mesh fills the unit sphere. */
 #define REACH 1.6
 #define LARGEST_REACH 2.5
-#define FADE 0.5
 
 /* A point that sees nothing of the sky keeps 1 - STRENGTH of the background. */
-#define STRENGTH 0.85
+#define STRENGTH 0.94f
+
+/* The strongest area light's share of the light on the ground, and from how many directions it comes,
+ * about: all within 35 degrees, of 48. Fewer would jump as the light turns. It fades as it sets. */
+#define KEY_SHARE 0.65
+#define KEY_DIRECTIONS 4.4
+#define KEY_SETTING 0.25
 
 /* What the first light adds to the ground's, as a share of what is left in its shadow. */
-#define LIGHT_STRENGTH 0.4
+#define LIGHT_STRENGTH 0.4f
 
 /* Half the width of a silhouette's blur, in radii of a direction's cone: less shows silhouettes,
  * more lets light in at contacts. */
 #define CONE 1.2
 
-/* The border in which the shadow fades, as a share of the image's shorter edge: a shadow that leaves
- * the image would look cut off. */
-#define BORDER 0.2f
+/* The borders at the sides, and at top and bottom, in which the shadow fades, as shares of the image's
+ * shorter edge: a shadow that leaves the image would look cut off. Most that do leave at a side; the
+ * object's contact is often near the bottom. */
+#define BORDER_X 0.22f
+#define BORDER_Y 0.12f
+
+/* Texels along the texture's edge, by pixels along the picture's shorter one: small pictures show no
+ * more, and most of their time would go there. */
+static int edge_for(int side) {
+    return side < 192 ? 96 : side < 384 ? 112 : BURNISH_GROUND_SIZE;
+}
 
 /* Directions nearer to the horizon count for nothing. */
 #define LOWEST 0.02
@@ -82,24 +94,29 @@ int burnish_ground_is_seen(const burnish_ground *ground, const burnish_rays *ray
 
 /* ---- The texture ---- */
 
-static burnish_vec3 light_of(const burnish_shadow *shadow) {
-    return shadow ? shadow->toward : (burnish_vec3){0, 0, 0};
+static burnish_vec3 light_of(const burnish_ground_light *light) {
+    return light->shadow ? light->shadow->toward : light->key;
 }
 
-int burnish_ground_is_drawn(const burnish_ground *ground, const burnish_occlusion *occlusion,
-                            const burnish_shadow *shadow) {
-    const burnish_vec3 turned = burnish_vec3_sub(ground->light, light_of(shadow));
-    return burnish_vec3_length(turned) == 0 && ground->light_size == (shadow ? shadow->size : 0) &&
+static int size_of(const burnish_shadow *shadow) {
+    return shadow ? shadow->size : 0;
+}
+
+int burnish_ground_is_drawn(const burnish_ground *ground, const burnish_ground_light *light) {
+    const burnish_occlusion *occlusion = light->occlusion;
+    const burnish_vec3 turned = burnish_vec3_sub(ground->light, light_of(light));
+    return burnish_vec3_length(turned) == 0 && ground->light_size == size_of(light->shadow) &&
            ground->maps == occlusion->mesh && ground->count == occlusion->count &&
-           ground->size == occlusion->size;
+           ground->size == occlusion->size && ground->edge == edge_for(light->side);
 }
 
-#define SIZE BURNISH_GROUND_SIZE
-#define MIDDLE ((SIZE - 1) * 0.5)
+static double middle_of(const burnish_ground *ground) {
+    return (ground->edge - 1) * 0.5;
+}
 
 /* Texels per unit of the raster's space: those at the edge lie beyond `reach`. */
 static double texels_of(const burnish_ground *ground) {
-    return (MIDDLE - 1) / ground->reach;
+    return (middle_of(ground) - 1) / ground->reach;
 }
 
 /* What the tasks of a texture share. */
@@ -108,10 +125,9 @@ typedef struct ground_context {
     const burnish_render_ops *ops;
     burnish_silhouette silhouettes[BURNISH_OCCLUSION_MAX];
     int count;
-    double sky;      /* sum of the silhouettes' weights */
-    double strength; /* what is left where all of it is hidden: 1 - strength */
-    float *layer;    /* that is blurred */
-    int radius;      /* of the blur */
+    int layers;     /* that are in use */
+    int least;      /* radius of the first layer's blur */
+    float strength; /* what is left where all of the sky is hidden: 1 - strength */
 } ground_context;
 
 /* A map's row for texels of the texture. */
@@ -121,7 +137,7 @@ static void compose_row(const burnish_ground *ground, const float row[4], float 
     const double across[2] = {burnish_vec3_dot(v, ground->across[0]) * step,
                               burnish_vec3_dot(v, ground->across[1]) * step};
     const double start = burnish_vec3_dot(v, ground->up) * ground->height + (double)row[3];
-    out[0] = (float)(start - MIDDLE * (across[0] + across[1]));
+    out[0] = (float)(start - middle_of(ground) * (across[0] + across[1]));
     out[1] = (float)across[0];
     out[2] = (float)across[1];
 }
@@ -139,128 +155,114 @@ static burnish_silhouette silhouette_of(const burnish_ground *ground, const burn
     return silhouette;
 }
 
-/* Those of the depth maps that see the plane from below. */
-static void find_silhouettes(const burnish_occlusion *occlusion, ground_context *context) {
+/* How much of the key light comes from a direction of `count` over the sphere, smooth. A cone of
+ * half angle a takes (1 - cos a) / 2 of them. */
+static double key_weight(burnish_vec3 key, burnish_vec3 from, int count) {
+    const double outside = (1 - burnish_vec3_dot(key, from)) * count / (2 * KEY_DIRECTIONS);
+    return outside < 1 ? (1 - outside) * (1 - outside) : 0;
+}
+
+/* Those of the depth maps that see the plane from below. The light of the sky is 1 together. */
+static void find_silhouettes(const burnish_ground_light *light, ground_context *context) {
     const burnish_ground *ground = context->ground;
-    const double cone = burnish_sqrt(4.0 / occlusion->count);
+    const burnish_occlusion *occlusion = light->occlusion;
+    const double cone = burnish_sqrt(4.0 / occlusion->count), origin[3] = {0, 0, 0};
+    double heights[BURNISH_OCCLUSION_MAX], keys[BURNISH_OCCLUSION_MAX], sky = 0, key = 0;
     for (int i = 0; i < occlusion->count; ++i) {
         const burnish_map_view view = burnish_occlusion_view(i, occlusion->count, occlusion->size);
-        const double height = -burnish_vec3_dot(view.toward, ground->up);
-        const double origin[3] = {0, 0, 0};
+        const burnish_vec3 from = burnish_vec3_scale(view.toward, -1);
+        const double height = burnish_vec3_dot(from, ground->up);
         if (height > LOWEST) {
+            const int n = context->count++;
             const burnish_map_rows map = burnish_map_rows_make(&view, origin);
-            burnish_silhouette *silhouette = &context->silhouettes[context->count++];
-            *silhouette = silhouette_of(ground, &map, burnish_occlusion_depths(occlusion, i),
-                                        occlusion->size, cone);
-            silhouette->weight = (float)height;
-            context->sky += height;
+            context->silhouettes[n] = silhouette_of(
+                ground, &map, burnish_occlusion_depths(occlusion, i), occlusion->size, cone);
+            heights[n] = height;
+            keys[n] = height * key_weight(light->key, from, occlusion->count);
+            sky += heights[n];
+            key += keys[n];
         }
     }
+    double share = burnish_vec3_dot(light->key, ground->up) / KEY_SETTING;
+    share = key > 0 && share > 0 ? KEY_SHARE * (share < 1 ? share : 1) : 0;
+    for (int n = 0; n < context->count; ++n) {
+        const double direct = share > 0 ? share * keys[n] / key : 0;
+        context->silhouettes[n].weight = (float)((1 - share) * heights[n] / sky + direct);
+    }
+}
+
+static float *layer_of(const ground_context *context, size_t k) {
+    const size_t edge = (size_t)context->ground->edge;
+    return context->ground->layers + k * edge * edge;
 }
 
 static void add_rows(void *from, size_t first, size_t end) {
     const ground_context *context = from;
-    const size_t texels = (size_t)SIZE * SIZE;
+    const size_t edge = (size_t)context->ground->edge;
     for (size_t row = first; row < end; ++row) {
         float *layers[BURNISH_GROUND_LAYERS];
-        for (int k = 0; k < BURNISH_GROUND_LAYERS; ++k) {
-            layers[k] = context->ground->layers + (size_t)k * texels + row * SIZE;
-            memset(layers[k], 0, SIZE * sizeof **layers);
+        for (size_t k = 0; k < BURNISH_GROUND_LAYERS; ++k) {
+            layers[k] = layer_of(context, k) + row * edge;
+            memset(layers[k], 0, edge * sizeof **layers);
         }
         for (int i = 0; i < context->count; ++i) {
-            context->ops->add_silhouette(&context->silhouettes[i], (float)row, SIZE, layers);
+            context->ops->add_silhouette(&context->silhouettes[i], (float)row, edge, layers);
         }
     }
 }
 
-/* The mean of 2 radius + 1 numbers around each of SIZE; beyond the ends are zeros.
- */
-static void blur_line(const float *from, int radius, float *to) {
-    const double part = 1.0 / (2 * radius + 1);
-    double sum = 0;
-    for (int i = 0; i < radius; ++i) {
-        sum += (double)from[i];
-    }
-    for (int i = 0; i < SIZE; ++i) {
-        sum += i + radius < SIZE ? (double)from[i + radius] : 0;
-        sum -= i - radius - 1 >= 0 ? (double)from[i - radius - 1] : 0;
-        to[i] = (float)(sum * part);
-    }
-}
+enum { STRIP = 16 /* columns that are blurred at once, and rows that are worth a thread */ };
 
-/* Twice along each line: a tent. */
-static void blur_rows(void *from, size_t first, size_t end) {
+/* Strips of columns of all layers. */
+static void blur_strips(void *from, size_t first, size_t end) {
     const ground_context *context = from;
-    float line[SIZE];
-    for (size_t row = first; row < end; ++row) {
-        float *texels = context->layer + row * SIZE;
-        blur_line(texels, context->radius, line);
-        blur_line(line, context->radius, texels);
+    const size_t edge = (size_t)context->ground->edge, strips = edge / STRIP;
+    float scratch[BURNISH_GROUND_SIZE * STRIP];
+    for (size_t i = first; i < end; ++i) {
+        const size_t k = i / strips;
+        const int radius = k > 0 ? 1 << (k - 1) : context->least;
+        if (radius > 0) {
+            context->ops->blur_columns(layer_of(context, k) + i % strips * STRIP, edge, radius,
+                                       scratch);
+        }
     }
 }
 
-static void blur_columns(void *from, size_t first, size_t end) {
+/* Columns become rows, in all layers. */
+static void transpose_layers(void *from, size_t first, size_t end) {
     const ground_context *context = from;
-    float line[SIZE], blurred[SIZE];
-    for (size_t column = first; column < end; ++column) {
-        float *texels = context->layer + column;
-        for (int i = 0; i < SIZE; ++i) {
-            line[i] = texels[(size_t)i * SIZE];
-        }
-        blur_line(line, context->radius, blurred);
-        blur_line(blurred, context->radius, line);
-        for (int i = 0; i < SIZE; ++i) {
-            texels[(size_t)i * SIZE] = line[i];
+    const size_t edge = (size_t)context->ground->edge;
+    for (size_t k = first; k < end; ++k) {
+        float *texels = layer_of(context, k);
+        for (size_t y = 0; y < edge; ++y) {
+            for (size_t x = 0; x < y; ++x) {
+                const float upper = texels[x * edge + y];
+                texels[x * edge + y] = texels[y * edge + x];
+                texels[y * edge + x] = upper;
+            }
         }
     }
-}
-
-/* 1 in the middle, 0 from the circle in the square of the texture on, smooth. */
-static double fade_at(double x, double y) {
-    double t = (1 - burnish_sqrt(x * x + y * y) / (MIDDLE - 1)) / (1 - FADE);
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
-    return t * t * (3 - 2 * t);
 }
 
 /* Layers to darkness, over what is stored. */
 static void darken_rows(void *from, size_t first, size_t end) {
     const ground_context *context = from;
-    const size_t texels = (size_t)SIZE * SIZE;
-    for (size_t i = first * SIZE; i < end * SIZE; ++i) {
-        double hidden = 0;
-        for (size_t k = 0; k < BURNISH_GROUND_LAYERS; ++k) {
-            hidden += (double)context->ground->layers[k * texels + i];
-        }
-        hidden /= context->sky;
-        hidden = hidden < 0 ? 0 : hidden > 1 ? 1 : hidden;
-        const double x = (double)(i % SIZE) - MIDDLE, y = (double)(i / SIZE) - MIDDLE;
-        const double before = (double)context->ground->texels[i];
-        const double more = context->strength * hidden * fade_at(x, y) * (65535 - before);
-        context->ground->texels[i] = (uint16_t)(before + more + 0.5);
+    const size_t edge = (size_t)context->ground->edge;
+    for (size_t row = first; row < end; ++row) {
+        context->ops->darken_ground(layer_of(context, 0) + row * edge, edge, context->layers,
+                                    context->strength, (float)row,
+                                    context->ground->texels + row * edge);
     }
 }
 
-enum { GRAIN = 16 /* rows that are worth a thread */ };
-
-static void blur_layer(ground_context *context, int layer, int radius, burnish_tasks *tasks) {
-    context->layer = context->ground->layers + (size_t)layer * SIZE * SIZE;
-    context->radius = radius;
-    burnish_tasks_ranges(tasks, SIZE, GRAIN, blur_rows, context);
-    burnish_tasks_ranges(tasks, SIZE, GRAIN, blur_columns, context);
-}
-
-static void add_sky(ground_context *context, const burnish_occlusion *occlusion,
-                    burnish_tasks *tasks) {
-    find_silhouettes(occlusion, context);
-    if (context->count == 0) {
-        return; /* of very few directions none sees the plane from below */
-    }
-    context->strength = STRENGTH;
-    burnish_tasks_ranges(tasks, SIZE, GRAIN, add_rows, context);
-    for (int k = 1; k < BURNISH_GROUND_LAYERS; ++k) {
-        blur_layer(context, k, 1 << (k - 1), tasks);
-    }
-    burnish_tasks_ranges(tasks, SIZE, GRAIN, darken_rows, context);
+/* The silhouettes' shadow, with columns of the texture across rows of silhouettes. */
+static void darken(ground_context *context, burnish_tasks *tasks) {
+    const size_t edge = (size_t)context->ground->edge, layers = (size_t)context->layers;
+    burnish_tasks_ranges(tasks, edge, STRIP, add_rows, context);
+    burnish_tasks_ranges(tasks, layers * edge / STRIP, 1, blur_strips, context);
+    burnish_tasks_ranges(tasks, layers, 1, transpose_layers, context);
+    burnish_tasks_ranges(tasks, layers * edge / STRIP, 1, blur_strips, context);
+    burnish_tasks_ranges(tasks, edge, STRIP, darken_rows, context);
 }
 
 /* Where the light stands above the plane: its silhouette, with an edge of a few texels. */
@@ -273,22 +275,21 @@ static void add_light(ground_context *context, const burnish_shadow *shadow, bur
     if (burnish_vec3_dot(toward, context->ground->up) <= LOWEST) {
         return;
     }
-    context->count = 1;
+    context->count = context->layers = context->least = 1;
     context->silhouettes[0] = silhouette_of(context->ground, &map, shadow->depths, shadow->size, 0);
     context->silhouettes[0].weight = 1;
-    context->sky = 1;
     context->strength = LIGHT_STRENGTH;
-    burnish_tasks_ranges(tasks, SIZE, GRAIN, add_rows, context);
-    blur_layer(context, 0, 1, tasks);
-    burnish_tasks_ranges(tasks, SIZE, GRAIN, darken_rows, context);
+    darken(context, tasks);
 }
 
 burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_render_ops *ops,
-                                   const burnish_occlusion *occlusion, const burnish_shadow *shadow,
-                                   burnish_tasks *tasks, burnish_memory *memory) {
-    const size_t texels = (size_t)SIZE * SIZE;
-    ground_context context = {.ground = ground, .ops = ops};
+                                   const burnish_ground_light *light, burnish_tasks *tasks,
+                                   burnish_memory *memory) {
+    const size_t edge = (size_t)edge_for(light->side), texels = edge * edge;
+    ground_context context = {
+        .ground = ground, .ops = ops, .layers = BURNISH_GROUND_LAYERS, .strength = STRENGTH};
     ground->maps = 0;
+    ground->edge = (int)edge;
     ground->texels = burnish_reserve_discard(memory, ground->texels, &ground->capacity, texels,
                                              sizeof *ground->texels, "the ground's shadow");
     ground->layers = burnish_reserve_discard(memory, ground->layers, &ground->layer_capacity,
@@ -297,18 +298,21 @@ burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_render_
     burnish_status status = memory->status;
     if (status == BURNISH_STATUS_OK) {
         memset(ground->texels, 0, texels * sizeof *ground->texels);
-        add_sky(&context, occlusion, tasks);
-        if (shadow) {
-            add_light(&context, shadow, tasks);
+        find_silhouettes(light, &context);
+        if (context.count > 0) { /* of very few directions none sees the plane from below */
+            darken(&context, tasks);
+        }
+        if (light->shadow) {
+            add_light(&context, light->shadow, tasks);
         }
         status = burnish_tasks_check(tasks, memory->error);
     }
     if (status == BURNISH_STATUS_OK) {
-        ground->maps = occlusion->mesh;
-        ground->count = occlusion->count;
-        ground->size = occlusion->size;
-        ground->light = light_of(shadow);
-        ground->light_size = shadow ? shadow->size : 0;
+        ground->maps = light->occlusion->mesh;
+        ground->count = light->occlusion->count;
+        ground->size = light->occlusion->size;
+        ground->light = light_of(light);
+        ground->light_size = size_of(light->shadow);
     }
     return status;
 }
@@ -330,12 +334,13 @@ burnish_ground_view burnish_ground_look(const burnish_ground *ground, const burn
     const int is_parallel = rays->q_per_depth == 0;
     const double above = burnish_vec3_dot(eye, ground->up) - ground->height;
     const double texels = texels_of(ground);
+    const float side = (float)(width < height ? width : height);
     const burnish_vec3 forward = burnish_vec3_loadf(rays->ray_depth);
     const double fall = -burnish_vec3_dot(forward, ground->up);
     burnish_ground_view view = {.texels = ground->texels,
+                                .size = ground->edge,
                                 .half = {(float)width / 2, (float)height / 2},
-                                .per_border =
-                                    1 / (BORDER * (float)(width < height ? width : height))};
+                                .per_border = {1 / (BORDER_X * side), 1 / (BORDER_Y * side)}};
     double down[3], coordinates[2][3];
     along_rays(rays, burnish_vec3_scale(ground->up, -1), down);
     for (int axis = 0; axis < 2; ++axis) {
@@ -353,8 +358,8 @@ burnish_ground_view burnish_ground_look(const burnish_ground *ground, const burn
     for (int i = 0; i < 3; ++i) {
         const double depth = is_parallel ? i == 0 : down[i];
         view.depth[i] = (float)depth;
-        view.column[i] = (float)(coordinates[0][i] * texels + MIDDLE * depth);
-        view.row[i] = (float)(coordinates[1][i] * texels + MIDDLE * depth);
+        view.row[i] = (float)(coordinates[0][i] * texels + middle_of(ground) * depth);
+        view.column[i] = (float)(coordinates[1][i] * texels + middle_of(ground) * depth);
     }
     return view;
 }

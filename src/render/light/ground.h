@@ -5,8 +5,9 @@
  * The shadow is a texture: the share of the sky that is hidden from points of the plane. Each depth
  * map that sees the mesh from below gives a silhouette on the plane, which represents a cone of the
  * sky: its edge is blurred by the width of the cone at the blocker. Silhouettes are added up by
- * width of blur, so that few blurs serve all. The first light's shadow, where there is one, is one
- * more silhouette, against that light. */
+ * width of blur, so that few blurs serve all. Silhouettes against the strongest area light weigh
+ * more: its shadow is the more blurred, the higher its edge is. The shadow of a directional light,
+ * where there is one, is one more silhouette, against that light. */
 #ifndef BURNISH_RENDER_LIGHT_GROUND_H
 #define BURNISH_RENDER_LIGHT_GROUND_H
 
@@ -16,7 +17,7 @@
 #include "render/render_ops.h"
 
 enum {
-    BURNISH_GROUND_SIZE = 256, /* texels along the texture's edge */
+    BURNISH_GROUND_SIZE = 256, /* texels along the texture's edge, at most */
     BURNISH_GROUND_LAYERS = 8  /* widths of blur */
 };
 
@@ -36,7 +37,8 @@ typedef struct burnish_ground {
     uint64_t maps;              /* whose shadow it is, burnish_occlusion.mesh; 0: nobody's */
     int count, size;            /* of the depth maps */
     burnish_vec3 light;         /* that casts a shadow; 0: none does */
-    int light_size;             /* of its depth map */
+    int light_size;             /* of its depth map; 0: it is an area light */
+    int edge;                   /* texels along the texture's edge, a multiple of 16 */
     burnish_vec3 up, across[2]; /* unit vectors; the texture's axes */
     double height;              /* of the plane: p . up, in the raster's space */
     double reach;               /* half an edge of the texture */
@@ -45,14 +47,23 @@ typedef struct burnish_ground {
     size_t capacity, layer_capacity;
 } burnish_ground;
 
+/* What casts shadows. */
+typedef struct burnish_ground_light {
+    const burnish_occlusion *occlusion; /* maps toward the sky */
+    const burnish_shadow *shadow;       /* of the first light, directional; or NULL */
+    burnish_vec3 key;                   /* toward the strongest area light; 0: none */
+    int side;                           /* pixels along the picture's shorter edge */
+} burnish_ground_light;
+
 /* The texture as a picture shows it. Of the point (x, y) of the screen, in pixels from the image's
  * centre, right and up, the texel is (column . (1, x, y), row . (1, x, y)) / depth . (1, x, y),
  * where that is positive. */
 typedef struct burnish_ground_view {
     const uint16_t *texels;
+    int size; /* texels along its edge */
     float column[3], row[3], depth[3];
-    float half[2];    /* of the image, in pixels */
-    float per_border; /* the shadow fades toward the image's edge: 1 / the width of that border */
+    float half[2];       /* of the image, in pixels */
+    float per_border[2]; /* the shadow fades toward the image's edges: 1 / the widths of borders */
 } burnish_ground_view;
 
 /* Computes the plane. Errors: none. */
@@ -62,16 +73,14 @@ void burnish_ground_place(burnish_ground *ground, const burnish_mesh_view *mesh,
 int burnish_ground_is_seen(const burnish_ground *ground, const burnish_rays *rays,
                            burnish_vec3 eye);
 
-/* Whether the texture was drawn for this plane and these maps. shadow may be NULL. */
-int burnish_ground_is_drawn(const burnish_ground *ground, const burnish_occlusion *occlusion,
-                            const burnish_shadow *shadow);
+/* Whether the texture was drawn for this plane and light. */
+int burnish_ground_is_drawn(const burnish_ground *ground, const burnish_ground_light *light);
 
-/* Draws the texture of a ground that was placed.
- *   shadow  of the first light, or NULL
- * Errors: MEMORY, CANCELLED; the texture is then nobody's. */
+/* Draws the texture of a ground that was placed. Errors: MEMORY, CANCELLED; the texture is then
+ * nobody's. */
 burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_render_ops *ops,
-                                   const burnish_occlusion *occlusion, const burnish_shadow *shadow,
-                                   burnish_tasks *tasks, burnish_memory *memory);
+                                   const burnish_ground_light *light, burnish_tasks *tasks,
+                                   burnish_memory *memory);
 
 /*   width, height  of the image, in pixels */
 burnish_ground_view burnish_ground_look(const burnish_ground *ground, const burnish_rays *rays,

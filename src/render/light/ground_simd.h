@@ -44,10 +44,17 @@ BURNISH_INLINE silhouette_texels silhouette_at(const burnish_silhouette *silhoue
 static void add_silhouette(const burnish_silhouette *silhouette, float row, size_t count,
                            float *const *layers) {
     const vf y = vf_set(row), zero = vf_set(0.0f), one = vf_set(1.0f);
+    const vf last = vf_set((float)(silhouette->size - 1));
     for (size_t i = 0; i < count; i += LANES) {
         const vf x = vf_from_int(vi_add(vi_ramp(1), vi_set((int32_t)i)));
-        const silhouette_texels at = silhouette_at(silhouette, ground_row(silhouette->column, x, y),
-                                                   ground_row(silhouette->row, x, y));
+        const vf column = ground_row(silhouette->column, x, y);
+        const vf map_row = ground_row(silhouette->row, x, y);
+        vm inside = vm_and(vf_greater(column, zero), vf_greater(last, column));
+        inside = vm_and(inside, vm_and(vf_greater(map_row, zero), vf_greater(last, map_row)));
+        if (!vm_any(inside)) { /* the map's border is empty */
+            continue;
+        }
+        const silhouette_texels at = silhouette_at(silhouette, column, map_row);
         if (!vm_any(vf_greater(at.covered, zero))) {
             continue;
         }
@@ -62,8 +69,70 @@ static void add_silhouette(const burnish_silhouette *silhouette, float row, size
                 vf_max(vf_mul(vf_sub(width, vf_set(LAYER_WIDTH(k))), vf_set(1.0f / step)), zero),
                 one);
             const vf part = vf_sub(rest, wider);
-            vf_store(layers[k] + i, vf_add(vf_load(layers[k] + i), vf_mul(weight, part)));
+            if (vm_any(vf_greater(part, zero))) {
+                vf_store(layers[k] + i, vf_add(vf_load(layers[k] + i), vf_mul(weight, part)));
+            }
             rest = wider;
+        }
+    }
+}
+
+/* The mean of 2 radius + 1 numbers around each of `count`; beyond the ends are zeros. A column of
+ * vectors, each `stride` after the one before. */
+BURNISH_INLINE void blur_column(const float *from, size_t stride, size_t count, size_t radius,
+                                float *to, size_t to_stride) {
+    const vf part = vf_set(1.0f / (float)(2 * radius + 1));
+    vf sum = vf_set(0.0f);
+    for (size_t i = 0; i < radius; ++i) {
+        sum = vf_add(sum, vf_load(from + i * stride));
+    }
+    for (size_t i = 0; i < count; ++i) {
+        if (i + radius < count) {
+            sum = vf_add(sum, vf_load(from + (i + radius) * stride));
+        }
+        if (i > radius) {
+            sum = vf_sub(sum, vf_load(from + (i - radius - 1) * stride));
+        }
+        vf_store(to + i * to_stride, vf_mul(sum, part));
+    }
+}
+
+static void blur_columns(float *texels, size_t edge, int radius, float *scratch) {
+    for (size_t i = 0; i < 16; i += LANES) { /* twice: a tent */
+        blur_column(texels + i, edge, edge, (size_t)radius, scratch + i, 16);
+        blur_column(scratch + i, 16, edge, (size_t)radius, texels + i, edge);
+    }
+}
+
+/* From this share of the texture's reach on the shadow fades. */
+#define GROUND_FADE 0.5f
+
+/* 1 in the middle, 0 from the circle in the square of the texture on, smooth. */
+BURNISH_INLINE vf texture_fade(vf x, vf y, size_t edge) {
+    const float middle = 0.5f * (float)(edge - 1), radius = middle - 1;
+    const vf u = vf_sub(x, vf_set(middle)), v = vf_sub(y, vf_set(middle));
+    const vf squared = vf_add(vf_mul(u, u), vf_mul(v, v));
+    const vf inside = vf_sub(vf_set(1.0f), vf_mul(squared, vf_set(1.0f / (radius * radius))));
+    const vf t = vector_saturate(vf_mul(inside, vf_set(1 / (1 - GROUND_FADE * GROUND_FADE))));
+    return vf_mul(vf_mul(t, t), vf_sub(vf_set(3.0f), vf_add(t, t)));
+}
+
+static void darken_ground(const float *layers, size_t edge, int layer_count, float strength,
+                          float row, uint16_t *texels) {
+    const vf y = vf_set(row), rounder = vf_set(BURNISH_ROUNDER);
+    for (size_t i = 0; i < edge; i += LANES) {
+        const vf x = vf_from_int(vi_add(vi_ramp(1), vi_set((int32_t)i)));
+        int32_t codes[LANES];
+        vf hidden = vf_set(0.0f);
+        for (int k = 0; k < layer_count; ++k) {
+            hidden = vf_add(hidden, vf_load(layers + (size_t)k * edge * edge + i));
+        }
+        const vf dark = vf_mul(vector_saturate(hidden), texture_fade(x, y, edge));
+        const vf scaled = vf_mul(dark, vf_set(strength * 65535.0f));
+        vi_store(codes, vi_sub(vf_bits(vf_add(scaled, rounder)), vf_bits(rounder)));
+        for (size_t j = 0; j < LANES; ++j) {
+            const uint32_t left = 65535U - texels[i + j];
+            texels[i + j] = (uint16_t)(texels[i + j] + left * (uint32_t)codes[j] / 65535U);
         }
     }
 }
@@ -72,14 +141,14 @@ static void add_silhouette(const burnish_silhouette *silhouette, float row, size
  *   at    from its middle, half of it at the edges */
 BURNISH_INLINE vf border_fade(vf at, float half, float per_border) {
     const vf inside = vf_mul(vf_sub(vf_set(half), map_magnitude(at)), vf_set(per_border));
-    const vf t = vf_min(vf_max(inside, vf_set(0.0f)), vf_set(1.0f));
-    return vf_mul(vf_mul(t, t), vf_sub(vf_set(3.0f), vf_add(t, t)));
+    const vf rest = vf_sub(vf_set(1.0f), vector_saturate(inside));
+    return vf_sub(vf_set(1.0f), vf_mul(rest, vf_mul(rest, rest)));
 }
 
 static void shadow_ground(const burnish_ground_view *view, const burnish_screen_points *points,
                           size_t count, float *shadow) {
     const vf zero = vf_set(0.0f), least = vf_set(0x1p-40f);
-    const vf end = vf_set((float)(BURNISH_GROUND_SIZE - 1));
+    const vf end = vf_set((float)(view->size - 1));
     for (size_t i = 0; i < count; i += LANES) {
         const vf x = vf_add(vf_set(points->x), vf_load(points->x_offset + i));
         const vf y = vf_add(vf_set(points->y), vf_load(points->y_offset + i));
@@ -93,10 +162,10 @@ static void shadow_ground(const burnish_ground_view *view, const burnish_screen_
         seen = vm_and(seen, vm_and(vf_greater(end, point.x), vf_greater(end, point.y)));
         vf dark = zero;
         if (vm_any(seen)) {
-            dark = map_over(view->texels, vi_set(0), BURNISH_GROUND_SIZE, &point, vf_set(1.0f),
+            dark = map_over(view->texels, vi_set(0), view->size, &point, vf_set(1.0f),
                             vf_set(1.0f / 65535.0f));
-            dark = vf_mul(dark, border_fade(x, view->half[0], view->per_border));
-            dark = vf_mul(dark, border_fade(y, view->half[1], view->per_border));
+            dark = vf_mul(dark, border_fade(x, view->half[0], view->per_border[0]));
+            dark = vf_mul(dark, border_fade(y, view->half[1], view->per_border[1]));
         }
         vf_store(shadow + i, vf_and_mask(seen, dark));
     }
