@@ -155,6 +155,37 @@ wanted='0 1 null null false' tones --ambient=0 --no-background
 run render :teapot --size=64 --color=white --light=directional:0,0,1:3 --background-color=white --json -o t.png
 check "a share of white: $(json near_white)" sh -c "echo $(json near_white) | grep -qx '0\.[0-9]*[1-9][0-9]*'"
 same "lost in a white ground" "$(json near_white)" "$(json like_ground)"
+
+# The ground: in studio under what stands, if nothing is measured and no flag decides; nothing else changes.
+grounds() {
+    wanted=$1
+    shift
+    gives 0 render "$@" --size=48 --quiet --json -o t.png
+    same "ground of $*" "$(tr -d '\t' <"$out" | grep '^"ground"')" "\"ground\":$wanted,"
+}
+printf 'v 0 0 -1\nv 4 0 -1\nv 0 1 0\nv 4 1 0\nv 0 1 -2\nv 4 1 -2\nf 1 2 4 3\nf 1 5 6 2\nf 3 4 6 5\nf 1 3 5\nf 2 6 4\n' >edge.obj
+sed 's/ 1 / -1 /' edge.obj >lying.obj
+printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n1 0 0\n0 1 0\n' >points.ply
+grounds true :torus
+same "pixels of the object" "$(json covered_pixels) $(json pixel_bounds) $(json position)" \
+    "$(gives 0 render :torus --size=48 --no-ground --json -o t.png; json covered_pixels) $(json pixel_bounds) $(json position)"
+grounds true :torus --no-background
+grounds true :torus --no-ground --ground
+grounds true :torus --look=plain --ground
+grounds true :torus --environment=sky
+grounds true lying.obj --up=+Y
+for flags in --no-ground '--ground --no-ground' --look=plain --look=technical --look=drawing --look=three-point --views=front --views=iso --occlusion=none --plane=depth:d.npy \
+    --elevation=-30 '--camera-orthographic --elevation=0'; do
+    # shellcheck disable=SC2086
+    grounds false :torus $flags
+done
+grounds false edge.obj --up=+Y
+grounds true edge.obj --up=-Y
+grounds false points.ply
+gives 0 compare :torus :torus --size=48 -o compared.png
+same "compare has no ground" "$(shown compared.png)" "$(gives 0 compare :torus :torus --size=48 --no-ground -o compared.png; shown compared.png)"
+check "compare with a ground" [ "$(gives 0 compare :torus :torus --size=48 --ground -o compared.png; shown compared.png)" != "$(gives 0 compare :torus :torus --size=48 -o compared.png; shown compared.png)" ]
+
 unseen='--look=plain --size=16 --color=white --light=none --ambient=1 --background-color=white'
 mkdir unseen
 cd unseen || exit 1

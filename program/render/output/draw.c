@@ -10,32 +10,40 @@
 
 /* ---- A cell ---- */
 
-/* Draws the mesh. *depth receives the distances that annotations behind it need, or NULL; free it.
- * It is NULL after an error. */
+/* Draws the mesh, and its coverage if tones need it. *depth receives the distances that annotations
+ * behind it need, or NULL; free it. It is NULL after an error. */
 static burnish_status draw_mesh(const render_result *result, render_cell *cell, float **depth,
                                 burnish_error *error) {
     const burnish_render_options *options = result->options;
-    const unsigned hidden = BURNISH_ANNOTATION_BOX | BURNISH_ANNOTATION_GRID;
+    const int rows = options->row_count ? options->row_count : options->height;
+    const size_t width = (size_t)options->width, height = (size_t)rows;
+    const int needs_depth = (result->settings->picture.annotations &
+                             (BURNISH_ANNOTATION_BOX | BURNISH_ANNOTATION_GRID)) != 0;
+    const int needs_coverage = options->counts == BURNISH_COUNTS_AREA && options->ground;
     *depth = NULL;
-    if (!(result->settings->picture.annotations & hidden)) {
+    if (!needs_depth && !needs_coverage) {
         return burnish_renderer_draw(result->renderer, result->mesh, options, &cell->image,
                                      &cell->report, error);
     }
-    burnish_status status = burnish_image_create(
-        NULL, &cell->image, options->width, options->height, options->transparent ? 4 : 3, error);
+    burnish_status status = burnish_image_create(NULL, &cell->image, options->width, rows,
+                                                 options->transparent ? 4 : 3, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
     burnish_target target = burnish_target_default();
     target.pixels = burnish_image_get_pixels(&cell->image);
-    target.depth_stride = (size_t)options->width * sizeof **depth;
-    target.depth = *depth = malloc(target.depth_stride * (size_t)options->height);
-    if (!*depth) {
-        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for %d x %d distances",
-                        options->width, options->height);
+    target.depth_stride = width * sizeof **depth;
+    target.depth = *depth = needs_depth ? malloc(target.depth_stride * height) : NULL;
+    target.coverage_stride = width;
+    target.coverage = cell->coverage = needs_coverage ? malloc(width * height) : NULL;
+    if ((needs_depth && !*depth) || (needs_coverage && !cell->coverage)) {
+        status = cli_fail(error, BURNISH_STATUS_MEMORY,
+                          "out of memory for %d x %d distances or coverages", options->width, rows);
     }
-    status = burnish_renderer_draw_into(result->renderer, result->mesh, options, &target,
-                                        &cell->report, error);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_renderer_draw_into(result->renderer, result->mesh, options, &target,
+                                            &cell->report, error);
+    }
     if (status != BURNISH_STATUS_OK) {
         free(*depth);
         *depth = NULL;
@@ -117,11 +125,15 @@ burnish_status render_draw_cell(render_result *result, render_cell *cell, burnis
     options->counts = output->json ? BURNISH_COUNTS_AREA : BURNISH_COUNTS_PIXELS;
     burnish_status status = draw_pixels(result, cell, &depth, error);
     if (status != BURNISH_STATUS_OK) {
+        free(cell->coverage);
         return status;
     }
     if (output->json) {
-        cell->tones = render_measure_tones(&cell->image, cell->report.covered_pixels, options);
+        cell->tones = render_measure_tones(&cell->image, cell->coverage,
+                                           cell->report.covered_pixels, options);
     }
+    free(cell->coverage);
+    cell->coverage = NULL;
     if (is_hashed(result) || output->fail_on_blank) {
         cell->has_one_color = render_has_one_color(&cell->image);
     }

@@ -54,10 +54,11 @@ typedef struct render_tones {
 } render_tones;
 
 /* One pass over the image.
- *   covered  pixels that show the object
- *   options  for the background */
-render_tones render_measure_tones(const burnish_image *image, uint64_t covered,
-                                  const burnish_render_options *options);
+ *   coverage  of each pixel, if there is a ground; or NULL
+ *   covered   pixels that show the object
+ *   options   for the background */
+render_tones render_measure_tones(const burnish_image *image, const uint8_t *coverage,
+                                  uint64_t covered, const burnish_render_options *options);
 
 /* 1: all pixels are equal. */
 int render_has_one_color(const burnish_image *image);
@@ -74,6 +75,7 @@ typedef struct render_cell {
     burnish_render_report report;
     uint64_t hash;
     render_tones tones; /* with --json */
+    uint8_t *coverage;  /* with --json and a ground, until tones are measured */
     int has_one_color;  /* with --json and --fail-on-blank */
     char label[256];    /* UTF-8 */
 } render_cell;

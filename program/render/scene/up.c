@@ -62,12 +62,13 @@ static int find_center(const burnish_mesh_view *view, double center[3]) {
 }
 
 /* Distance from the centre to the edge of the contact area, in each direction.
- *   sign  of the up direction along the axis */
-static void measure_reach(const burnish_mesh_view *view, int axis, double sign,
+ *   sign     of the up direction along the axis
+ *   contact  height of the contact area, as a share of the object's */
+static void measure_reach(const burnish_mesh_view *view, int axis, double sign, double contact,
                           const double center[3], double reach[DIRECTIONS]) {
     const double low = (double)(sign > 0 ? view->bounds_min : view->bounds_max)[axis];
     const double height = (double)view->bounds_max[axis] - (double)view->bounds_min[axis];
-    const double limit = sign * low + CONTACT * height;
+    const double limit = sign * low + contact * height;
     const int first = (axis + 1) % 3, second = (axis + 2) % 3;
     for (int i = 0; i < DIRECTIONS; ++i) {
         reach[i] = -DBL_MAX;
@@ -92,7 +93,7 @@ static void measure_reach(const burnish_mesh_view *view, int axis, double sign,
 /* The angle in degrees by which the object can lean before it falls. */
 static double tipping(const burnish_mesh_view *view, int axis, const double center[3]) {
     double reach[DIRECTIONS], least = DBL_MAX;
-    measure_reach(view, axis, 1, center, reach);
+    measure_reach(view, axis, 1, CONTACT, center, reach);
     for (int i = 0; i < DIRECTIONS; ++i) {
         least = reach[i] < least ? reach[i] : least;
     }
@@ -141,9 +142,14 @@ render_stance render_find_stance(const burnish_mesh *mesh) {
     return stance;
 }
 
+/* The contact area of an object that is drawn on a ground: more than CONTACT, because legs are not all
+ * equally long. */
+#define STANDING_CONTACT 0.03
+
 /* The narrowest contact that carries an object, as a share of its height or, if that is less, of its
- * narrower side: neither a tip nor an edge does. A sphere has 0.2 of its height. */
-#define NARROW 0.05
+ * narrower side: neither a tip nor an edge does. A sphere has 0.34 of its height, an edge of 90 degrees
+ * 0.06. */
+#define NARROW 0.1
 #define NARROW_SIDE 0.3
 
 int render_stands(const burnish_mesh *mesh, const double up[3]) {
@@ -156,7 +162,7 @@ int render_stands(const burnish_mesh *mesh, const double up[3]) {
         return 0;
     }
     find_center(view, center);
-    measure_reach(view, axis, up[axis], center, reach);
+    measure_reach(view, axis, up[axis], STANDING_CONTACT, center, reach);
     for (int i = 0; i < DIRECTIONS; ++i) {
         const double both = reach[i] + reach[(i + DIRECTIONS / 2) % DIRECTIONS];
         least = reach[i] < least ? reach[i] : least;

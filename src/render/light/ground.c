@@ -6,11 +6,11 @@
 
 /* The texture reaches as far as the mesh and this many times its height, but no further than
  * LARGEST_REACH, in the raster's space, where the mesh fills the unit sphere. */
-#define REACH 1.6
-#define LARGEST_REACH 2.5
+#define REACH 0.9
+#define LARGEST_REACH 2.0
 
 /* A point that sees nothing of the sky keeps 1 - STRENGTH of the background. */
-#define STRENGTH 0.94f
+#define STRENGTH 0.97f
 
 /* The strongest area light's share of the light on the ground, and from how many directions it comes,
  * about: all within 35 degrees, of 48. Fewer would jump as the light turns. It fades as it sets. */
@@ -28,7 +28,7 @@
 /* The borders at the sides, and at top and bottom, in which the shadow fades, as shares of the image's
  * shorter edge: a shadow that leaves the image would look cut off. Most that do leave at a side; the
  * object's contact is often near the bottom. */
-#define BORDER_X 0.22f
+#define BORDER_X 0.25f
 #define BORDER_Y 0.12f
 
 /* Texels along the texture's edge, by pixels along the picture's shorter one: small pictures show no
@@ -126,30 +126,35 @@ typedef struct ground_context {
     burnish_silhouette silhouettes[BURNISH_OCCLUSION_MAX];
     int count;
     int layers;     /* that are in use */
-    int least;      /* radius of the first layer's blur */
     float strength; /* what is left where all of the sky is hidden: 1 - strength */
 } ground_context;
 
-/* A map's row for texels of the texture. */
-static void compose_row(const burnish_ground *ground, const float row[4], float out[3]) {
+/* A map's row for texels of the texture, which are looked up `shift` texels away. */
+static void compose_row(const burnish_ground *ground, const float row[4], const double shift[2],
+                        float out[3]) {
     const burnish_vec3 v = burnish_vec3_loadf(row);
     const double step = 1 / texels_of(ground);
     const double across[2] = {burnish_vec3_dot(v, ground->across[0]) * step,
                               burnish_vec3_dot(v, ground->across[1]) * step};
     const double start = burnish_vec3_dot(v, ground->up) * ground->height + (double)row[3];
-    out[0] = (float)(start - middle_of(ground) * (across[0] + across[1]));
+    const double middle = middle_of(ground);
+    out[0] = (float)(start + (shift[0] - middle) * across[0] + (shift[1] - middle) * across[1]);
     out[1] = (float)across[0];
     out[2] = (float)across[1];
 }
 
-/* A silhouette against the sky in direction -toward.
- *   cone tangent of the half angle of the part of the sky that it represents */
+/* A silhouette against the sky in direction -toward. Each is looked up at another place in texels:
+ * together they smooth the edges of a contact, which all of them show.
+ *   number  of the silhouette
+ *   cone    tangent of the half angle of the part of the sky that it represents */
 static burnish_silhouette silhouette_of(const burnish_ground *ground, const burnish_map_rows *map,
-                                        const uint16_t *depths, int size, double cone) {
+                                        const uint16_t *depths, int size, int number, double cone) {
     burnish_silhouette silhouette = {.depths = depths, .size = size};
-    compose_row(ground, map->column, silhouette.column);
-    compose_row(ground, map->row, silhouette.row);
-    compose_row(ground, map->depth, silhouette.depth);
+    const double x = 0.5 + number * 0.7548776662, y = 0.5 + number * 0.5698402910; /* R2 */
+    const double shift[2] = {x - (int)x - 0.5, y - (int)y - 0.5};
+    compose_row(ground, map->column, shift, silhouette.column);
+    compose_row(ground, map->row, shift, silhouette.row);
+    compose_row(ground, map->depth, shift, silhouette.depth);
     silhouette.spread =
         (float)(CONE * cone * texels_of(ground) * BURNISH_MAP_RANGE / BURNISH_MAP_CODES);
     return silhouette;
@@ -176,7 +181,7 @@ static void find_silhouettes(const burnish_ground_light *light, ground_context *
             const int n = context->count++;
             const burnish_map_rows map = burnish_map_rows_make(&view, origin);
             context->silhouettes[n] = silhouette_of(
-                ground, &map, burnish_occlusion_depths(occlusion, i), occlusion->size, cone);
+                ground, &map, burnish_occlusion_depths(occlusion, i), occlusion->size, n, cone);
             heights[n] = height;
             keys[n] = height * key_weight(light->key, from, occlusion->count);
             sky += heights[n];
@@ -220,11 +225,9 @@ static void blur_strips(void *from, size_t first, size_t end) {
     float scratch[BURNISH_GROUND_SIZE * STRIP];
     for (size_t i = first; i < end; ++i) {
         const size_t k = i / strips;
-        const int radius = k > 0 ? 1 << (k - 1) : context->least;
-        if (radius > 0) {
-            context->ops->blur_columns(layer_of(context, k) + i % strips * STRIP, edge, radius,
-                                       scratch);
-        }
+        const int radius = k > 0 ? 1 << (k - 1) : 1; /* 0 would show texels */
+        context->ops->blur_columns(layer_of(context, k) + i % strips * STRIP, edge, radius,
+                                   scratch);
     }
 }
 
@@ -275,8 +278,9 @@ static void add_light(ground_context *context, const burnish_shadow *shadow, bur
     if (burnish_vec3_dot(toward, context->ground->up) <= LOWEST) {
         return;
     }
-    context->count = context->layers = context->least = 1;
-    context->silhouettes[0] = silhouette_of(context->ground, &map, shadow->depths, shadow->size, 0);
+    context->count = context->layers = 1;
+    context->silhouettes[0] =
+        silhouette_of(context->ground, &map, shadow->depths, shadow->size, 0, 0);
     context->silhouettes[0].weight = 1;
     context->strength = LIGHT_STRENGTH;
     darken(context, tasks);

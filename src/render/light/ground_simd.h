@@ -104,8 +104,13 @@ static void blur_columns(float *texels, size_t edge, int radius, float *scratch)
     }
 }
 
+BURNISH_INLINE vf smooth_step(vf x) {
+    const vf t = vector_saturate(x);
+    return vf_mul(vf_mul(t, t), vf_sub(vf_set(3.0f), vf_add(t, t)));
+}
+
 /* From this share of the texture's reach on the shadow fades. */
-#define GROUND_FADE 0.5f
+#define GROUND_FADE 0.6f
 
 /* 1 in the middle, 0 from the circle in the square of the texture on, smooth. */
 BURNISH_INLINE vf texture_fade(vf x, vf y, size_t edge) {
@@ -113,8 +118,7 @@ BURNISH_INLINE vf texture_fade(vf x, vf y, size_t edge) {
     const vf u = vf_sub(x, vf_set(middle)), v = vf_sub(y, vf_set(middle));
     const vf squared = vf_add(vf_mul(u, u), vf_mul(v, v));
     const vf inside = vf_sub(vf_set(1.0f), vf_mul(squared, vf_set(1.0f / (radius * radius))));
-    const vf t = vector_saturate(vf_mul(inside, vf_set(1 / (1 - GROUND_FADE * GROUND_FADE))));
-    return vf_mul(vf_mul(t, t), vf_sub(vf_set(3.0f), vf_add(t, t)));
+    return smooth_step(vf_mul(inside, vf_set(1 / (1 - GROUND_FADE * GROUND_FADE))));
 }
 
 static void darken_ground(const float *layers, size_t edge, int layer_count, float strength,
@@ -140,9 +144,7 @@ static void darken_ground(const float *layers, size_t edge, int layer_count, flo
 /* 1 inside, 0 at two opposite edges of the image, smooth.
  *   at    from its middle, half of it at the edges */
 BURNISH_INLINE vf border_fade(vf at, float half, float per_border) {
-    const vf inside = vf_mul(vf_sub(vf_set(half), map_magnitude(at)), vf_set(per_border));
-    const vf rest = vf_sub(vf_set(1.0f), vector_saturate(inside));
-    return vf_sub(vf_set(1.0f), vf_mul(rest, vf_mul(rest, rest)));
+    return smooth_step(vf_mul(vf_sub(vf_set(half), map_magnitude(at)), vf_set(per_border)));
 }
 
 static void shadow_ground(const burnish_ground_view *view, const burnish_screen_points *points,
