@@ -218,6 +218,11 @@ static burnish_status draw_meshes(comparison *c, burnish_error *error) {
         if (compare_is_mesh(side)) {
             status = draw_side(side, renderer, error);
         }
+        if (!compare_is_mesh(&c->sides[1 - i]) && side->options.ground) {
+            free(
+                side->coverage); /* both silhouettes from pixels: the picture's has its shadow, too */
+            side->coverage = NULL;
+        }
     }
     burnish_renderer_destroy(renderer);
     return status;
@@ -231,7 +236,6 @@ static void describe_side(comparison *c, int i) {
     side->settings = c->settings->render;
     side->settings.input.name = side->input;
     side->settings.shading.lobes.count = 1;
-    side->settings.shading.ground += side->settings.shading.ground == 0 ? -1 : 0;
     side->settings.shading.lobes.items[0] =
         c->settings->render.shading.lobes.items[c->lobes ? i : 0];
     side->options = render_make_options(&side->settings);
@@ -302,13 +306,16 @@ static burnish_status warn_useless(comparison *c, burnish_error *error) {
                                        : status;
 }
 
-/* Prepares meshes, with one environment. Two lobes share a mesh, which is prepared once. */
+/* Prepares meshes, with one environment. Two lobes share a mesh, which is prepared once. Two meshes
+ * have no ground unless it is requested; one has what its picture has. */
 static burnish_status prepare_meshes(comparison *c, burnish_error *error) {
     burnish_status status = BURNISH_STATUS_OK;
+    const int are_meshes = compare_is_mesh(&c->sides[0]) && compare_is_mesh(&c->sides[1]);
     for (int i = 0; i < (c->lobes ? 1 : 2) && status == BURNISH_STATUS_OK; ++i) {
         compare_side *side = &c->sides[i];
         render_scene scene = {&side->settings, side->result.mesh,      &side->options,
                               &c->environment, &side->result.warnings, side->result.color_range};
+        side->settings.shading.ground -= are_meshes && side->settings.shading.ground == 0;
         status = compare_is_mesh(side) ? render_prepare(&scene, error) : BURNISH_STATUS_OK;
     }
     if (c->lobes) {

@@ -381,12 +381,24 @@ static burnish_status check_reference(render_settings *settings, burnish_error *
                       : BURNISH_STATUS_OK;
 }
 
+/* Outputs that are measured have no ground unless a flag requests it, nor has a GIF without background,
+ * which would show half of a shadow as black. */
+static burnish_status check_ground(render_settings *settings, burnish_error *error) {
+    const picture_format format = (picture_format)settings->output.format;
+    const int is_black = format == PICTURE_GIF && settings->picture.background.transparent;
+    (void)error;
+    settings->shading.ground -= settings->shading.ground == 0 &&
+                                (settings->output.planes.count > 0 || picture_is_drawing(format) ||
+                                 format == PICTURE_EXR || format == PICTURE_NPY || is_black);
+    return BURNISH_STATUS_OK;
+}
+
 /* The order matters: later checks need the output's name, and then its format. */
 burnish_status render_finish(render_settings *settings, burnish_error *error) {
     typedef burnish_status check(render_settings * settings, burnish_error * error);
-    static check *const checks[] = {render_check, check_rows,      check_labels,
-                                    name_output,  check_output,    render_check_drawing,
-                                    check_planes, check_reference, check_report};
+    static check *const checks[] = {
+        render_check,         check_rows,   check_labels,    name_output,  check_output,
+        render_check_drawing, check_planes, check_reference, check_report, check_ground};
     burnish_status status = BURNISH_STATUS_OK;
     for (size_t i = 0; i < sizeof checks / sizeof *checks && status == BURNISH_STATUS_OK; ++i) {
         status = checks[i](settings, error);

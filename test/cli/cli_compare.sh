@@ -44,6 +44,11 @@ passes --threshold=0.1 --metric=flip
 "$burnish" render :teapot --size=48 -o teapot.png
 gives 0 compare :teapot teapot.png --json  # a mesh and its picture
 check "a mesh and its picture have one silhouette: $(json silhouette_iou)" [ "$(json silhouette_iou)" = 1 ]
+"$burnish" compare :teapot :teapot --size=48 -o both.png
+"$burnish" compare :teapot :teapot --size=48 --no-ground -o apart.png
+"$burnish" compare :teapot :teapot --size=48 --ground -o ground.png
+check "two meshes have no ground" cmp -s both.png apart.png
+check "two meshes on a ground" [ "$(cmp -s both.png ground.png; echo $?)" = 1 ]
 gives 10 compare :sphere :torus --size=64 --json=both.json -o both.png
 check "no text beside JSON" [ ! -s "$out" ]
 cp both.json "$out"

@@ -55,7 +55,7 @@ PYTHONDONTWRITEBYTECODE=1 python3 "$here/../hostile/make.py" . sheets-4000.stl s
 too_much sheets-4000.stl "the picture" --views=top --occlusion=none
 too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --views=front
 too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --views=front --occlusion=none --shadow --max-overdraw=250
-too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --occlusion=none --ground
+too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --occlusion=none --ground --margin=0.15
 too_much same-120000.obj "the picture" --views=front --look=drawing
 too_much transparent-500.ply "the picture" --views=front --occlusion=none
 too_much sheets-500.stl "the picture" --views=top --occlusion=none --max-overdraw=10

@@ -1,6 +1,5 @@
 #include "render/scene/prepare.h"
 
-#include "picture/formats.h"
 #include "render/scene/cameras.h"
 #include "render/scene/color.h"
 #include "render/scene/library_options.h"
@@ -153,18 +152,13 @@ static burnish_status drop_shadow(const render_scene *scene, burnish_error *erro
     return BURNISH_STATUS_OK;
 }
 
-/* Whether to draw the ground if no flag decides. Pictures that are measured have none, nor has a GIF
- * without background, which shows half of a shadow as black. */
+/* Whether to draw the ground if neither flags nor outputs decide. */
 static int wants_ground(const render_scene *scene) {
     const render_settings *settings = scene->settings;
-    const picture_format format = (picture_format)settings->output.format;
     double up[3];
     render_upward(scene->mesh, &settings->camera, up);
     return settings->shading.ground == 0 && settings->shading.look == BURNISH_LOOK_STUDIO &&
            scene->options->occlusion != 0 && settings->picture.views.count == 0 &&
-           settings->output.planes.count == 0 && !picture_is_drawing(format) &&
-           format != PICTURE_EXR && format != PICTURE_NPY &&
-           !(format == PICTURE_GIF && settings->picture.background.transparent) &&
            render_stands(scene->mesh, up);
 }
 
