@@ -140,9 +140,11 @@ typedef struct burnish_render_options {
                      length; 0, 0, 0: the up_axis of the mesh */
     int ground;   /* 1: the object shades the plane normal to `up` through its lowest point. The
                    background is darkened where it shows that plane from above; a transparent
-                   background becomes black with the shadow as alpha */
+                   background becomes black with the shadow as alpha. Without `lights`, the shadow falls
+                   away from the strongest area light */
     int shadow;   /* 1: the first light, which must be directional, or without such lights the
-                   strongest area light casts shadows on the object and the ground */
+                   strongest area light, casts shadows on the object; on the ground it does
+                   anyway if it is an area light */
     burnish_light lights[BURNISH_LIGHT_MAX];
     int light_count;                                        /* [0, BURNISH_LIGHT_MAX] */
     burnish_area_light area_lights[BURNISH_AREA_LIGHT_MAX]; /* light.h */

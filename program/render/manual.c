@@ -21,7 +21,8 @@ static const cli_term look_terms[] = {
                  "which metals and glossy surfaces reflect; a light grey background, ambient "
                  "occlusion and *--tone-mapping=soft*, so white is white and colours keep their "
                  "hue. Black materials that reflect less than 0.035 reflect as much, with a "
-                 "highlight and a warning. For web pages and thumbnails. Standard views along an "
+                 "highlight and a warning. Objects that stand have a *--ground*. For web pages and "
+                 "thumbnails. Standard views along an "
                  "axis also have "
                  "thin, soft *--edges*, because steps in depth are hard to see there."},
     {"*three-point*", "key, fill and rim light from single directions, whose highlights have the "

@@ -6,7 +6,7 @@
 enum { SIZE = 201 };
 
 /* As render/ground.c has it: what is left of the background where no sky is seen. */
-#define STRENGTH 0.97
+#define STRENGTH 0.98
 /* And what the first light adds to the rest. */
 #define LIGHT_STRENGTH 0.4
 

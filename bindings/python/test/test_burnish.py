@@ -197,6 +197,9 @@ class Pictures(unittest.TestCase):
                 expected = burnish.render(":teapot", **options, **{key: value}).hash
                 self.assertEqual(burnish.render(":teapot", **options, **{key: numpy.array(value)}).hash, expected)
                 self.assertEqual(burnish.render(":teapot", **options, **{key: numpy.array([value])[0]}).hash, expected)
+        without = burnish.render(":teapot", size=32, no_ground=True).hash
+        self.assertEqual(burnish.render(":teapot", size=32, ground=False).hash, without)
+        self.assertNotEqual(burnish.render(":teapot", size=32).hash, without)
         for ground in (numpy.True_, numpy.False_, numpy.array(True)):
             self.assertEqual(burnish.render(":teapot", size=32, ground=ground).hash, burnish.render(":teapot", size=32, ground=bool(ground)).hash)
         names = numpy.array(["axes", "box"])

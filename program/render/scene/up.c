@@ -90,15 +90,19 @@ static void measure_reach(const burnish_mesh_view *view, int axis, double sign, 
     }
 }
 
-/* The angle in degrees by which the object can lean before it falls. */
-static double tipping(const burnish_mesh_view *view, int axis, const double center[3]) {
+/* The angle in degrees by which the object can lean before it falls.
+ *   width  receives the contact area's narrowest width */
+static double tipping(const burnish_mesh_view *view, int axis, double sign, double contact,
+                      const double center[3], double *width) {
+    const double low = (double)(sign > 0 ? view->bounds_min : view->bounds_max)[axis];
     double reach[DIRECTIONS], least = DBL_MAX;
-    measure_reach(view, axis, 1, CONTACT, center, reach);
+    measure_reach(view, axis, sign, contact, center, reach);
+    *width = DBL_MAX;
     for (int i = 0; i < DIRECTIONS; ++i) {
-        least = reach[i] < least ? reach[i] : least;
+        least = fmin(least, reach[i]);
+        *width = fmin(*width, reach[i] + reach[(i + DIRECTIONS / 2) % DIRECTIONS]);
     }
-    const double rise = center[axis] - (double)view->bounds_min[axis];
-    return atan2(least, rise) * (180 / 3.14159265358979323846);
+    return atan2(least, sign * (center[axis] - low)) * (180 / 3.14159265358979323846);
 }
 
 /* 1 + the axis on which the object has no extent, or 0. */
@@ -120,7 +124,7 @@ render_stance render_find_stance(const burnish_mesh *mesh) {
     const burnish_format format = info->format;
     const int is_stl = format == BURNISH_FORMAT_STL;
     render_stance stance = {0};
-    double center[3];
+    double center[3], width;
     const int has_faces = info->point_count + info->line_count == 0;
     stance.flat_axis = has_faces ? find_flat_axis(mesh) : 0;
     const int usual = view->up_axis[1] > 0.5F ? 1 : view->up_axis[2] > 0.5F ? 2 : 0;
@@ -132,8 +136,8 @@ render_stance render_find_stance(const burnish_mesh *mesh) {
     stance.usual = usual;
     stance.other = 3 - usual;
     const int is_open = find_center(view, center);
-    stance.tipping[1] = tipping(view, 1, center);
-    stance.tipping[2] = tipping(view, 2, center);
+    stance.tipping[1] = tipping(view, 1, 1, CONTACT, center, &width);
+    stance.tipping[2] = tipping(view, 2, 1, CONTACT, center, &width);
     const double doubted = is_stl ? DOUBTED_STL : is_open ? -DOUBTED : DOUBTED;
     const double here = stance.tipping[stance.usual];
     const double believed = is_stl ? BELIEVED_STL : here < FALLEN ? BELIEVED_FALLEN : BELIEVED;
@@ -156,26 +160,18 @@ int render_stands(const burnish_mesh *mesh, const double up[3]) {
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     const burnish_mesh_info *info = burnish_mesh_get_info(mesh);
     const int axis = up[0] != 0 ? 0 : up[1] != 0 ? 1 : 2;
-    double center[3], reach[DIRECTIONS], sides[3], least = DBL_MAX, width = DBL_MAX;
+    double center[3], sides[3], width;
     if (info->point_count + info->line_count > 0 || view->triangle_count == 0 ||
         find_flat_axis(mesh)) {
         return 0;
     }
-    find_center(view, center);
-    measure_reach(view, axis, up[axis], STANDING_CONTACT, center, reach);
-    for (int i = 0; i < DIRECTIONS; ++i) {
-        const double both = reach[i] + reach[(i + DIRECTIONS / 2) % DIRECTIONS];
-        least = reach[i] < least ? reach[i] : least;
-        width = both < width ? both : width;
-    }
     for (int k = 0; k < 3; ++k) {
         sides[k] = (double)view->bounds_max[k] - (double)view->bounds_min[k];
     }
+    find_center(view, center);
+    const double angle = tipping(view, axis, up[axis], STANDING_CONTACT, center, &width);
     const double side = fmin(sides[(axis + 1) % 3], sides[(axis + 2) % 3]);
-    const double low = (double)(up[axis] > 0 ? view->bounds_min : view->bounds_max)[axis];
-    const double rise = fabs(center[axis] - low);
-    return width >= fmin(NARROW * sides[axis], NARROW_SIDE * side) &&
-           atan2(least, rise) * (180 / 3.14159265358979323846) > -DOUBTED;
+    return angle > -DOUBTED && width >= fmin(NARROW * sides[axis], NARROW_SIDE * side);
 }
 
 void render_set_stance(const burnish_mesh *mesh, render_camera_settings *camera) {

@@ -10,12 +10,12 @@
 #define LARGEST_REACH 2.0
 
 /* A point that sees nothing of the sky keeps 1 - STRENGTH of the background. */
-#define STRENGTH 0.97f
+#define STRENGTH 0.98f
 
 /* The strongest area light's share of the light on the ground, and from how many directions it comes,
- * about: all within 35 degrees, of 48. Fewer would jump as the light turns. It fades as it sets. */
-#define KEY_SHARE 0.65
-#define KEY_DIRECTIONS 4.4
+ * about: all within 41 degrees, of 48. Fewer would jump as the light turns. It fades as it sets. */
+#define KEY_SHARE 0.75
+#define KEY_DIRECTIONS 6.0
 #define KEY_SETTING 0.25
 
 /* What the first light adds to the ground's, as a share of what is left in its shadow. */
@@ -34,7 +34,7 @@
 /* Texels along the texture's edge, by pixels along the picture's shorter one: small pictures show no
  * more, and most of their time would go there. */
 static int edge_for(int side) {
-    return side < 192 ? 96 : side < 384 ? 112 : BURNISH_GROUND_SIZE;
+    return side < 288 ? 96 : side < 384 ? 128 : BURNISH_GROUND_SIZE;
 }
 
 /* Directions nearer to the horizon count for nothing. */
