@@ -140,8 +140,8 @@ typedef struct burnish_render_options {
                      length; 0, 0, 0: the up_axis of the mesh */
     int ground;   /* 1: the object shades the plane normal to `up` through its lowest point. The
                    background is darkened where it shows that plane from above; a transparent
-                   background becomes black with the shadow as alpha. Without `lights`, the shadow falls
-                   away from the strongest area light */
+                   background becomes black with the shadow as alpha. Without `lights`, the shadow
+                   falls away from the strongest area light */
     int shadow;   /* 1: the first light, which must be directional, or without such lights the
                    strongest area light, casts shadows on the object; on the ground it does
                    anyway if it is an area light */

@@ -219,8 +219,7 @@ static burnish_status draw_meshes(comparison *c, burnish_error *error) {
             status = draw_side(side, renderer, error);
         }
         if (!compare_is_mesh(&c->sides[1 - i]) && side->options.ground) {
-            free(
-                side->coverage); /* both silhouettes from pixels: the picture's has its shadow, too */
+            free(side->coverage); /* the picture's silhouette has its shadow, too */
             side->coverage = NULL;
         }
     }

@@ -381,8 +381,8 @@ static burnish_status check_reference(render_settings *settings, burnish_error *
                       : BURNISH_STATUS_OK;
 }
 
-/* Outputs that are measured have no ground unless a flag requests it, nor has a GIF without background,
- * which would show half of a shadow as black. */
+/* Outputs that are measured have no ground unless a flag requests it, nor has a GIF without
+ * background, which would show half of a shadow as black. */
 static burnish_status check_ground(render_settings *settings, burnish_error *error) {
     const picture_format format = (picture_format)settings->output.format;
     const int is_black = format == PICTURE_GIF && settings->picture.background.transparent;

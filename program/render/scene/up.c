@@ -146,13 +146,13 @@ render_stance render_find_stance(const burnish_mesh *mesh) {
     return stance;
 }
 
-/* The contact area of an object that is drawn on a ground: more than CONTACT, because legs are not all
- * equally long. */
+/* The contact area of an object that is drawn on a ground: more than CONTACT, because legs are not
+ * all equally long. */
 #define STANDING_CONTACT 0.03
 
-/* The narrowest contact that carries an object, as a share of its height or, if that is less, of its
- * narrower side: neither a tip nor an edge does. A sphere has 0.34 of its height, an edge of 90 degrees
- * 0.06. */
+/* The narrowest contact that carries an object, as a share of its height or, if that is less, of
+ * its narrower side: neither a tip nor an edge does. A sphere has 0.34 of its height, an edge of 90
+ * degrees 0.06. */
 #define NARROW 0.1
 #define NARROW_SIDE 0.3
 

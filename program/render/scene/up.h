@@ -22,9 +22,9 @@ typedef struct render_stance {
  * which does not need to stand. */
 render_stance render_find_stance(const burnish_mesh *mesh);
 
-/* Whether the object's lowest points carry it: the centre of its surface is above the convex hull of
- * its contact area, or leans over by less than 5.7 degrees, and the hull is not a point or a line. A
- * flat object, points and lines do not stand. */
+/* Whether the object's lowest points carry it: the centre of its surface is above the convex hull
+ * of its contact area, or leans over by less than 5.7 degrees, and the hull is not a point or a
+ * line. A flat object, points and lines do not stand. */
 int render_stands(const burnish_mesh *mesh, const double up[3]);
 
 /* Sets what UP_AUTO and the default view take from the mesh. */

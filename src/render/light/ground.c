@@ -12,7 +12,7 @@
 /* A point that sees nothing of the sky keeps 1 - STRENGTH of the background. */
 #define STRENGTH 0.98f
 
-/* The strongest area light's share of the light on the ground, and from how many directions it comes,
+/* The strongest area light's share of the ground's light, and from how many directions it comes,
  * about: all within 41 degrees, of 48. Fewer would jump as the light turns. It fades as it sets. */
 #define KEY_SHARE 0.75
 #define KEY_DIRECTIONS 6.0
@@ -25,14 +25,14 @@
  * more lets light in at contacts. */
 #define CONE 1.2
 
-/* The borders at the sides, and at top and bottom, in which the shadow fades, as shares of the image's
- * shorter edge: a shadow that leaves the image would look cut off. Most that do leave at a side; the
- * object's contact is often near the bottom. */
+/* The borders at the sides, and at top and bottom, in which the shadow fades, as shares of the
+ * image's shorter edge: a shadow that leaves the image would look cut off. Most that do leave at a
+ * side; the object's contact is often near the bottom. */
 #define BORDER_X 0.25f
 #define BORDER_Y 0.12f
 
-/* Texels along the texture's edge, by pixels along the picture's shorter one: small pictures show no
- * more, and most of their time would go there. */
+/* Texels along the texture's edge, by pixels along the picture's shorter one: small pictures show
+ * no more, and most of their time would go there. */
 static int edge_for(int side) {
     return side < 288 ? 96 : side < 384 ? 128 : BURNISH_GROUND_SIZE;
 }
