@@ -11,7 +11,7 @@
 #include "simd/isa.h"
 
 /* Normal, colour, position, w, first light, openness, x, y, and BURNISH_TEXTURE_STREAMS. */
-enum { BURNISH_BATCH_STREAMS = 14 + 18 };
+enum { BURNISH_BATCH_STREAMS = 15 + 18 };
 
 /* Without a lobe, and the family's two: the first of burnish_lobe_body. */
 enum { BURNISH_CODE_BODIES = 4 };
@@ -97,17 +97,17 @@ typedef struct burnish_render_ops {
                              const uint8_t *starts, const float *const from[3], float *const to[3]);
 
     /* What count <= BURNISH_OCCLUDED_MAX points keep of their light: 1 less strength times the
-     * share of the sky that is hidden from them. Positions count from the eye, normals are unit
-     * vectors. Reads and writes whole vectors. */
+     * share that is hidden from them, of the light and of a sky of equal light. Positions count from
+     * the eye, normals are unit vectors. Reads and writes whole vectors. */
     void (*occlude)(const struct burnish_occlusion_lookup *lookup, const float *const position[3],
-                    const float *const normal[3], size_t count, float *open);
+                    const float *const normal[3], size_t count, float *const open[2]);
 
-    /* Multiplies the light of count points by what they see of the sky, `open`, and adds what
-     * surfaces around them send there.
+    /* Multiplies the light of count points by what they see of it, open[0], and adds what surfaces
+     * around them, which hide the sky of open[1], send there.
      *   albedo  per channel; factor: of each point, NULL: 1
      * Reads and writes whole vectors. */
     void (*add_bounces)(const struct burnish_occlusion_lookup *lookup, const float albedo[3],
-                        const float *const factor[3], const float *open, size_t count,
+                        const float *const factor[3], const float *const open[2], size_t count,
                         float *const rgb[3]);
 
     /* Bits of the 16 pixels of a block that are shown, >= 0 (NULL: all); *alike: bits of those whose

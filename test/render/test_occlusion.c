@@ -6,16 +6,15 @@
 
 enum { SIZE = 400 };
 
-/* The sky's brightness in a direction whose cosine to the up axis is given, as render/occlusion.c
- * has it. */
-static double sky(double height) {
-    return 0.35 + 0.65 * (0.5 + 0.5 * height);
-}
+/* A square of the plane x = WINDOW_X, or -WINDOW_X. */
+#define WINDOW_X 0.8
+#define WINDOW_Z 0.6
+#define WINDOW_HALF 0.3
 
-enum { AMBIENT, SHADOW };
+enum { AMBIENT, SHADOW, WINDOW_LEFT, WINDOW_RIGHT };
 
 /* Linear colours of every pixel, seen along `direction` in parallel projection, one sample each.
- * light: the same from everywhere, or directional with its shadow. */
+ * light: the same from everywhere, directional with its shadow, or a distant window. */
 static float *draw(const burnish_mesh *mesh, const double direction[3], int occlusion, int light) {
     float *pixels = malloc((size_t)SIZE * SIZE * 4 * sizeof *pixels);
     burnish_framing framing = burnish_framing_default();
@@ -30,6 +29,14 @@ static float *draw(const burnish_mesh *mesh, const double direction[3], int occl
     options.samples = 1;
     options.light_count = options.shadow = light == SHADOW;
     options.lights[0] = (burnish_light){.vector = {0.4, 0.2, 1}, .color = {1, 1, 1}};
+    options.area_light_count = light >= WINDOW_LEFT;
+    options.area_lights[0] = (burnish_area_light){.is_distant = 1,
+                                                  .is_two_sided = 1,
+                                                  .center = {WINDOW_X, 0, WINDOW_Z},
+                                                  .half_u = {0, WINDOW_HALF, 0},
+                                                  .half_v = {0, 0, WINDOW_HALF},
+                                                  .color = {1, 1, 1}};
+    options.area_lights[0].center[0] *= light == WINDOW_LEFT ? -1 : 1;
     set_three(options.ambient_light, light == AMBIENT);
     options.occlusion = occlusion;
     options.occlusion_strength = 1;
@@ -69,10 +76,10 @@ static double hidden_by_wall(double x) {
         for (int j = 0; j < STEPS; ++j) {
             const double y = 2 * (i + 0.5) / STEPS - 1, z = (j + 0.5) / STEPS, wide = x + 1;
             const double squared = wide * wide + y * y + z * z, r = sqrt(squared);
-            sum += sky(z / r) * (z / r) * (wide / r) / squared * (2.0 / STEPS) * (1.0 / STEPS);
+            sum += (z / r) * (wide / r) / squared * (2.0 / STEPS) * (1.0 / STEPS);
         }
     }
-    return sum / (2 * acos(-1) * (0.675 / 2 + 0.325 / 3));
+    return sum / acos(-1);
 }
 
 /* Few directions also approximate the integral: each represents a cone. */
@@ -102,6 +109,48 @@ static void test_wall(int directions, double tolerance) {
     printf("wall, %d directions: at most %.3f from the integral\n", directions, worst);
     free(open);
     free(occluded);
+    burnish_mesh_destroy(mesh);
+}
+
+/* The share of a window's light that the wall hides from (x, 0, 0): both as seen through a pinhole, on
+ * the plane at distance 1 in the window's direction. */
+static double hidden_of_window(double x) {
+    enum { STEPS = 200 };
+    double all = 0, hidden = 0;
+    for (int i = 0; i < STEPS * STEPS; ++i) {
+        const double y = WINDOW_HALF * (2 * (i / STEPS + 0.5) / STEPS - 1) / WINDOW_X;
+        const double z = (WINDOW_Z + WINDOW_HALF * (2 * (i % STEPS + 0.5) / STEPS - 1)) / WINDOW_X;
+        const double squared = 1 + y * y + z * z, light = z / (squared * squared);
+        all += light;
+        hidden += (x + 1) * fabs(y) < 1 && (x + 1) * z < 1 ? light : 0;
+    }
+    return hidden / all;
+}
+
+/* Occlusion knows from where the light comes: a wall hides a window behind it, and none across. */
+static void test_window(void) {
+    static const float dark[3] = {0.001f, 0.001f, 0.001f};
+    double squares = 0;
+    burnish_mesh *mesh = make_wall();
+    set_colors(mesh, dark, dark); /* nothing bounces */
+    for (int light = WINDOW_LEFT; light <= WINDOW_RIGHT; ++light) {
+        float *open = draw(mesh, DOWN, 0, light), *occluded = draw(mesh, DOWN, 72, light);
+        int width = 0; /* of the floor, in pixels */
+        for (int column = 0; column < SIZE; ++column) {
+            width += open[4 * (SIZE / 2 * SIZE + column)] < 0.9f;
+        }
+        for (int column = SIZE / 8; column < SIZE * 7 / 8; ++column) {
+            const int at = 4 * (SIZE / 2 * SIZE + column);
+            const double x = 2 * (column + 0.5 - SIZE / 2) / width;
+            const double exact = light == WINDOW_LEFT ? hidden_of_window(x) : 0;
+            const double error = 1 - (double)(occluded[at] / open[at]) - exact;
+            squares += error * error / (2 * SIZE * 3 / 4);
+        }
+        free(open);
+        free(occluded);
+    }
+    printf("window behind a wall: root of the mean square of the error %.3f\n", sqrt(squares));
+    CHECK(squares < 0.09 * 0.09, "a wall hides %g more or less of a window", sqrt(squares));
     burnish_mesh_destroy(mesh);
 }
 
@@ -241,6 +290,7 @@ int main(int count, char **arguments) {
     RUN(test_wall(BURNISH_OCCLUSION_MAX, 0.015));
     RUN(test_wall(72, 0.04));
     RUN(test_wall(54, 0.045));
+    RUN(test_window());
     RUN(test_sphere());
     for (int way = OF_MATERIAL; way <= OF_METALLIC_ROUGHNESS; ++way) {
         RUN(test_bowl(way));

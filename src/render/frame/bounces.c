@@ -17,7 +17,7 @@ void burnish_occlude_batch(const burnish_shading *shading, const burnish_fragmen
     }
     burnish_occlude_points(shading->occlusion, shading->ops, &shared, batch->count,
                            &scratch->share);
-    float *const open = scratch->share.open;
+    float *const open = scratch->share.open[0];
     for (int i = 0; i < batch->count && points->first_light; ++i) {
         open[i] = open[i] > LEAST_OPEN ? open[i] : LEAST_OPEN;
         scratch->lit[i] /= open[i];
@@ -25,7 +25,7 @@ void burnish_occlude_batch(const burnish_shading *shading, const burnish_fragmen
 }
 
 void burnish_add_bounces(const burnish_shading *shading, const burnish_kernels_points *points,
-                         int count, int material, const float *open,
+                         int count, int material, float (*open)[BURNISH_SHADE_BATCH],
                          const burnish_texture_scratch *textures, float *const rgb[3]) {
     const burnish_textured_material *textured =
         shading->texturing ? &shading->texturing->materials[material] : NULL;
@@ -39,7 +39,8 @@ void burnish_add_bounces(const burnish_shading *shading, const burnish_kernels_p
             factor[k] = textures->ambient[k];
         }
     }
-    shading->ops->add_bounces(shading->occlusion, albedo, factor, open, (size_t)count, rgb);
+    shading->ops->add_bounces(shading->occlusion, albedo, factor,
+                              (const float *const[2]){open[0], open[1]}, (size_t)count, rgb);
 }
 
 void burnish_add_bounces_mixed(const burnish_shading *shading, const burnish_fragment_batch *batch,
@@ -51,6 +52,8 @@ void burnish_add_bounces_mixed(const burnish_shading *shading, const burnish_fra
             scratch->albedo[k][i] = shading->shaders[batch->material[i]].albedo[k];
         }
     }
-    shading->ops->add_bounces(shading->occlusion, white, albedo, scratch->share.open,
-                              (size_t)batch->count, rgb);
+    shading->ops->add_bounces(
+        shading->occlusion, white, albedo,
+        (const float *const[2]){scratch->share.open[0], scratch->share.open[1]},
+        (size_t)batch->count, rgb);
 }

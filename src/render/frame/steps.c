@@ -107,7 +107,6 @@ static burnish_status update_maps(burnish_call *d, const double eye[3],
         .count = options->occlusion ? options->occlusion : BURNISH_OCCLUSION_AUTO,
         .side = options->width < options->height ? options->width : options->height,
         .eye = eye,
-        .up = up_of(d),
         .pixel = d->view.pixel};
     const burnish_status status = set_drawer(d);
     return status != BURNISH_STATUS_OK
@@ -154,6 +153,51 @@ static void find_mean_light(const burnish_call *d, float mean[3]) {
     }
 }
 
+/* Luminance of linear light. */
+static float luminance_of(const float rgb[3]) {
+    return 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2];
+}
+
+/* The light of points and directions counts as that of a sky, which is this bright below where it is
+ * 1 above: depth maps are too coarse for its shadow. It lights a sphere to a quarter on average. */
+#define DARK_SKY 0.35f
+#define SKY_OF_LIGHT (0.25f / (0.5f + 0.5f * DARK_SKY))
+
+/* Of a lobe of order 2: a cap of its integral is as large as a direction's part of the sphere. */
+#define DIRECTIONS_PER_ZETA 6.0f
+
+/* Weighs the directions of occlusion by the light that arrives from them, except from the light
+ * whose shadow is drawn. */
+static void weigh_directions(burnish_call *d) {
+    burnish_occlusion *occlusion = &d->renderer->occlusion;
+    const burnish_render_options *options = d->options;
+    const burnish_vec3 up = up_of(d);
+    float w[3][BURNISH_OCCLUSION_MAX], rgb[3][BURNISH_OCCLUSION_MAX] = {{0}};
+    float light[BURNISH_OCCLUSION_MAX], lamps = 0;
+    for (int i = d->view.shading.shadow ? 1 : 0; i < options->light_count; ++i) {
+        lamps += luminance_of(options->lights[i].color);
+    }
+    for (int i = 0; i < occlusion->count; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            const float toward = occlusion->pairs[i / 2].toward[k];
+            w[k][i] = i % 2 ? -toward : toward;
+        }
+    }
+    if (d->view.shading.area) {
+        const float count = (float)occlusion->count, zeta = count / DIRECTIONS_PER_ZETA;
+        burnish_area_add_radiance(d->view.shading.area, options, &d->view.area, zeta > 1 ? zeta : 1,
+                                  (const float *const[3]){w[0], w[1], w[2]}, occlusion->count,
+                                  (float *const[3]){rgb[0], rgb[1], rgb[2]});
+    }
+    for (int i = 0; i < occlusion->count; ++i) {
+        const float height = w[0][i] * (float)up.x + w[1][i] * (float)up.y + w[2][i] * (float)up.z;
+        const float sky = DARK_SKY + (1 - DARK_SKY) * (0.5f + 0.5f * height);
+        light[i] = luminance_of((float[3]){rgb[0][i], rgb[1][i], rgb[2][i]}) +
+                   luminance_of(options->ambient_light) + lamps * SKY_OF_LIGHT * sky;
+    }
+    burnish_occlusion_weigh(occlusion, light);
+}
+
 /* What ambient occlusion needs of the mesh. */
 static burnish_status update_occlusion(burnish_call *d) {
     d->view.shading.occlusion = NULL;
@@ -165,6 +209,9 @@ static burnish_status update_occlusion(burnish_call *d) {
     find_mean_light(d, d->view.occlusion.mean);
     const burnish_status status = update_maps(d, d->view.eye, &d->view.occlusion);
     d->report.occlusion_directions = d->view.occlusion.count;
+    if (status == BURNISH_STATUS_OK) {
+        weigh_directions(d);
+    }
     return status;
 }
 

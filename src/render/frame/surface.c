@@ -177,7 +177,8 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
         add_stream(&streams, points->first_light, group->lit);
     }
     if (shading->occlusion) {
-        add_stream(&streams, scratch->share.open, group->open);
+        add_stream(&streams, scratch->share.open[0], group->open[0]);
+        add_stream(&streams, scratch->share.open[1], group->open[1]);
     }
     for (int k = 0; shading->texturing && k < BURNISH_TEXTURE_STREAMS; ++k) {
         if (k < BURNISH_TEXTURE_SHIFT_X ||
@@ -308,7 +309,7 @@ static const float PIXEL_Y[BURNISH_BLOCK_ROW_PIXELS] = {
 _Static_assert((int)BURNISH_BLOCK_ROW_PIXELS == 256 &&
                    (int)BURNISH_BLOCK_ROW_PIXELS <= (int)BURNISH_SHADE_BATCH,
                "a row of blocks is one batch");
-_Static_assert((int)BURNISH_BATCH_STREAMS == 14 + (int)BURNISH_TEXTURE_STREAMS, "all streams fit");
+_Static_assert((int)BURNISH_BATCH_STREAMS == 15 + (int)BURNISH_TEXTURE_STREAMS, "all streams fit");
 _Static_assert((int)BURNISH_FRAGMENT_BATCH <= (int)BURNISH_SHADE_BATCH,
                "so is a group of fragments");
 

@@ -102,7 +102,7 @@ typedef struct burnish_surface {
 typedef struct burnish_material_group {
     float normal[3][BURNISH_SHADE_BATCH], diffuse[3][BURNISH_SHADE_BATCH];
     float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
-    float lit[BURNISH_SHADE_BATCH], open[BURNISH_SHADE_BATCH];
+    float lit[BURNISH_SHADE_BATCH], open[2][BURNISH_SHADE_BATCH];
     float x[BURNISH_SHADE_BATCH], y[BURNISH_SHADE_BATCH];
     float light[3][BURNISH_SHADE_BATCH];
     int32_t left[BURNISH_SHADE_BATCH];   /* materials not shaded yet, -1 for the others */
@@ -137,15 +137,15 @@ typedef struct burnish_row_light {
 
 /* ---- Occlusion and what bounces (bounces.c) ---- */
 
-/* Writes to scratch->share.open what points see of the sky. Occlusion must not darken the first light
+/* Writes to scratch->share.open what points see of the light and the sky. Occlusion must not darken the first light
  * as well where its shadow is drawn: it is divided by what it will be multiplied by. */
 void burnish_occlude_batch(const burnish_shading *shading, const burnish_fragment_batch *batch,
                            const burnish_kernels_points *points, burnish_fragment_scratch *scratch);
 
-/* Multiplies the light of shaded points of one material by `open`, what they see of the sky, and adds
- * what surfaces around them send there. */
+/* Multiplies the light of shaded points of one material by what they see of it, open[0], and adds what
+ * surfaces around them, which hide the sky of open[1], send there. */
 void burnish_add_bounces(const burnish_shading *shading, const burnish_kernels_points *points,
-                         int count, int material, const float *open,
+                         int count, int material, float (*open)[BURNISH_SHADE_BATCH],
                          const burnish_texture_scratch *textures, float *const rgb[3]);
 
 /* The same of a batch of several materials without textures or vertex colours. */

@@ -5,6 +5,7 @@
 #include "base/numbers.h"
 #include "core/vec3.h"
 #include "environment/area_lights.h"
+#include "environment/map_fill.h"
 
 /* The least of the largest sizes of maps. */
 enum { SMALL_MAP = 64 };
@@ -85,11 +86,10 @@ static int largest_map(const burnish_render_options *options) {
 }
 
 static void gather_sources(const burnish_area *area, const burnish_render_options *options,
-                           const burnish_area_view *view,
+                           const burnish_area_view *view, int in_camera,
                            burnish_area_light lights[BURNISH_AREA_LIGHT_MAX],
                            burnish_light_sources *sources) {
     static const double y[3] = {0, 1, 0};
-    const int in_camera = all_follow_camera(area, options);
     double axes[3][3];
     *sources = (burnish_light_sources){.distant = lights,
                                        .strength = options->environment_strength,
@@ -216,7 +216,8 @@ static burnish_status update_maps(burnish_area *area, const burnish_render_optio
     burnish_area_light lights[BURNISH_AREA_LIGHT_MAX];
     burnish_light_sources sources;
     burnish_status status = BURNISH_STATUS_OK;
-    gather_sources(area, options, view, lights, &sources);
+    const int is_camera = all_follow_camera(area, options);
+    gather_sources(area, options, view, is_camera, lights, &sources);
     area->constants.diffuse = NULL;
     if (sources.distant_count == 0 && !sources.dome && !sources.environment) {
         return status;
@@ -231,7 +232,6 @@ static burnish_status update_maps(burnish_area *area, const burnish_render_optio
         area->diffuse = *burnish_light_maps_diffuse(area->maps);
         area->constants.diffuse = &area->diffuse;
     }
-    const int is_camera = all_follow_camera(area, options);
     for (int k = 0; k < 9; ++k) {
         area->constants.axes[k / 3][k % 3] =
             is_camera ? (float)view->axes[k / 3][k % 3] : (k % 4 == 0 ? 1.0f : 0.0f);
@@ -583,4 +583,29 @@ void burnish_area_add_white(const burnish_area *area, const burnish_kernels *ker
             rgb[i % 3][i / 3] += area->near_lights.lights[l].color[i % 3] * light[i / 3];
         }
     }
+}
+
+void burnish_area_add_radiance(const burnish_area *area, const burnish_render_options *options,
+                               const burnish_area_view *view, float zeta, const float *const w[3],
+                               int count, float *const rgb[3]) {
+    burnish_area_light lights[BURNISH_AREA_LIGHT_MAX];
+    burnish_map_filler filler = {.kernels = options->kernels};
+    burnish_map_light light = {.filler = &filler, .lobes = {1, {{2, zeta, 1.0f}}}, .has_rest = 1};
+    filler.kernels = filler.kernels ? filler.kernels : burnish_kernels_best();
+    gather_sources(area, options, view, 0, lights, &filler.sources);
+    for (int i = 0; i < options->area_light_count; ++i) {
+        const burnish_area_light *from = &options->area_lights[i];
+        if (light_shines(from) && i != area->key && !from->is_distant) {
+            burnish_area_light *to = &lights[filler.sources.distant_count];
+            *to = near_light(view, from);
+            const burnish_vec3 center =
+                burnish_vec3_add(burnish_vec3_load(to->center), burnish_vec3_load(view->eye));
+            burnish_vec3_store(center, to->center);
+            /* one around the centre has no direction */
+            filler.sources.distant_count +=
+                burnish_area_is_flat(to) || burnish_area_radius(to) < burnish_vec3_length(center);
+        }
+    }
+    burnish_map_light_add_polygons(&light);
+    burnish_map_light_add(&light, w, count, rgb);
 }

@@ -167,6 +167,13 @@ enum { BURNISH_AREA_WHITE_MAX = 16 };
 void burnish_area_add_white(const burnish_area *area, const burnish_kernels *kernels,
                             const burnish_kernels_points *points, int count, float *const rgb[3]);
 
+/* Adds what arrives at the object's centre around `count` directions w, unit vectors in the raster's
+ * space: the mean radiance of all lights but the one that casts a shadow, through a lobe of order 2
+ * and this zeta. count <= 256. */
+void burnish_area_add_radiance(const burnish_area *area, const burnish_render_options *options,
+                               const burnish_area_view *view, float zeta, const float *const w[3],
+                               int count, float *const rgb[3]);
+
 /* Points of a material over which near lights are integrated. */
 typedef struct burnish_area_points {
     const burnish_kernels_points *points;

@@ -11,7 +11,7 @@
 
 /* How far points are moved off the surface, in texels: less makes a curved surface hide itself,
  * more opens creases. */
-#define OFFSET 1.5
+#define OFFSET 0.75
 
 /* The filter's radius in cones of a direction, which are circles of as large a part of the sky; its
  * limits, in texels and in the raster's space. */
@@ -27,8 +27,9 @@
  * from there on. */
 enum { SMALL_SIDE = 384, LARGE_SIDE = 600 };
 
-/* The sky below is this bright where above it is 1. */
-#define DARK_SKY 0.35
+/* No direction's weight is less than this share of the mean: a point that faces none of the light is
+ * neither dark nor lit. */
+#define LEAST_WEIGHT 0.03125
 
 /* The upper half of a spherical Fibonacci set, each point with the one across. A point of the mesh
  * faces one of the two, so that both need one look-up, and both maps are drawn at once; the error
@@ -163,9 +164,7 @@ burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burn
         plane = burnish_map_plane(&view);
         pair->map = burnish_map_rows_make(&view, options->eye);
         burnish_space_store(view.toward, pair->toward);
-        const double height = burnish_vec3_dot(burnish_vec3_loadf(pair->toward), options->up);
-        pair->weight[0] = (float)(DARK_SKY + (1 - DARK_SKY) * (0.5 + 0.5 * height));
-        pair->weight[1] = (float)(DARK_SKY + (1 - DARK_SKY) * (0.5 - 0.5 * height));
+        pair->weight[0] = pair->weight[1] = 1;
         pair->depths = burnish_occlusion_depths(occlusion, 2 * i);
         pair->blockers = pair->depths + (size_t)size * (size_t)size;
     }
@@ -186,6 +185,18 @@ burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burn
             ? 4
             : 2;
     return BURNISH_STATUS_OK;
+}
+
+void burnish_occlusion_weigh(burnish_occlusion *occlusion, const float *light) {
+    double sum = 0;
+    for (int i = 0; i < occlusion->count; ++i) {
+        sum += (double)light[i];
+    }
+    for (int i = 0; i < occlusion->count && sum > 0; ++i) {
+        const double weight = (double)light[i] * occlusion->count / sum;
+        occlusion->pairs[i / 2].weight[i % 2] =
+            (float)(weight > LEAST_WEIGHT ? weight : LEAST_WEIGHT);
+    }
 }
 
 void burnish_occlusion_destroy(burnish_occlusion *occlusion, const burnish_context *context) {

@@ -17,7 +17,8 @@ enum { BURNISH_OCCLUSION_SMALL = 128, BURNISH_OCCLUSION_LARGE = 256, BURNISH_OCC
 /* A direction and the one against it, for points that count from the eye in the raster's space. A
  * point faces one of them. */
 typedef struct burnish_occlusion_pair {
-    float toward[3], weight[2]; /* unit vector; of both parts of the sky */
+    float toward[3],
+        weight[2]; /* unit vector; of what arrives from there and from the other side */
     burnish_map_rows map;
     const uint16_t *depths; /* size^2, growing toward the sky */
     /* (size / CELL)^2: the largest of each cell, followed by the largest of each 2 x 2 cells */
@@ -64,7 +65,6 @@ typedef struct burnish_occlusion_options {
                 */
     int side;  /* pixels along the shorter edge of the picture */
     const double *eye; /* the camera, in the raster's space */
-    burnish_vec3 up;   /* the brighter side of the sky, a unit vector */
     double pixel;      /* about what one is wide at the mesh, in the raster's space */
 } burnish_occlusion_options;
 
@@ -75,6 +75,10 @@ burnish_status burnish_occlusion_update(burnish_occlusion *occlusion, const burn
                                         const burnish_occlusion_options *options,
                                         burnish_tasks *tasks, burnish_memory *memory,
                                         burnish_occlusion_lookup *lookup);
+
+/* Sets the directions' weights; burnish_occlusion_update sets them to 1.
+ *   light  of direction i, and of the one against it where i is odd; >= 0, of any unit */
+void burnish_occlusion_weigh(burnish_occlusion *occlusion, const float *light);
 void burnish_occlusion_destroy(burnish_occlusion *occlusion, const burnish_context *context);
 
 #endif

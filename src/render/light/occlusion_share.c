@@ -141,7 +141,7 @@ static int find_keys(const burnish_occlusion_lookup *lookup, const burnish_rende
     return keys;
 }
 
-/* Writes what each point sees of the sky, [0, 1], if it is looked up. */
+/* Writes what each point sees of the light and the sky, [0, 1], if it is looked up. */
 static void look_up(const burnish_occlusion_lookup *lookup, const burnish_render_ops *ops,
                     const burnish_share_points *points, int count, int share,
                     burnish_share_scratch *scratch) {
@@ -150,10 +150,12 @@ static void look_up(const burnish_occlusion_lookup *lookup, const burnish_render
     const float *const normal[3] = {scratch->key_normal[0], scratch->key_normal[1],
                                     scratch->key_normal[2]};
     const int keys = find_keys(lookup, ops, points, count, share, scratch);
-    ops->occlude(lookup, position, normal, (size_t)keys, scratch->key_open);
+    ops->occlude(lookup, position, normal, (size_t)keys,
+                 (float *const[2]){scratch->key_open[0], scratch->key_open[1]});
     for (int i = 0; i < count; ++i) {
         if (scratch->key[i] != NO_KEY) {
-            scratch->open[i] = scratch->key_open[scratch->key[i]];
+            scratch->open[0][i] = scratch->key_open[0][scratch->key[i]];
+            scratch->open[1][i] = scratch->key_open[1][scratch->key[i]];
         }
     }
 }
@@ -163,7 +165,7 @@ void burnish_occlude_points(const burnish_occlusion_lookup *lookup, const burnis
                             burnish_share_scratch *scratch) {
     prepare_points(ops, points, count, scratch);
     for (int i = 0; i < count; ++i) {
-        scratch->open[i] = 1.0f;
+        scratch->open[0][i] = scratch->open[1][i] = 1.0f;
     }
     look_up(lookup, ops, points, count, lookup->share, scratch);
     if (lookup->share == 4) {
@@ -171,7 +173,7 @@ void burnish_occlude_points(const burnish_occlusion_lookup *lookup, const burnis
         burnish_share_points again = *points;
         int32_t shown[BURNISH_SHARE_BATCH], none = -1;
         for (int i = 0; i < count; ++i) {
-            shown[i] = scratch->open[i] < limit ? 0 : -1;
+            shown[i] = scratch->open[0][i] < limit ? 0 : -1;
             none &= shown[i];
         }
         again.shown = shown;

@@ -27,14 +27,15 @@ typedef struct burnish_share_points {
 typedef struct burnish_share_scratch {
     float position[3][BURNISH_SHARE_BATCH], normal[3][BURNISH_SHARE_BATCH]; /* of the points */
     float key_position[3][BURNISH_SHARE_BATCH], key_normal[3][BURNISH_SHARE_BATCH];
-    float open[BURNISH_SHARE_BATCH];
-    float key_open[BURNISH_SHARE_BATCH]; /* of the keys: the points that are looked up */
-    uint16_t key[BURNISH_SHARE_BATCH];   /* of a point */
+    float open[2][BURNISH_SHARE_BATCH];     /* of the light, of the sky */
+    float key_open[2][BURNISH_SHARE_BATCH]; /* of the keys: the points that are looked up */
+    uint16_t key[BURNISH_SHARE_BATCH];      /* of a point */
     uint16_t square[BURNISH_SHARE_BATCH], next[BURNISH_SHARE_BATCH]; /* of a key */
     uint16_t first[BURNISH_SHARE_SQUARES]; /* key of a square, if square[key] is that square */
 } burnish_share_scratch;
 
-/* Writes what the points see of the sky, less than 1 by at most the strength, to scratch->open. */
+/* Writes what the points see of the light and the sky, less than 1 by at most the strength, to
+ * scratch->open. */
 void burnish_occlude_points(const burnish_occlusion_lookup *lookup, const burnish_render_ops *ops,
                             const burnish_share_points *points, int count,
                             burnish_share_scratch *scratch);

@@ -68,9 +68,10 @@ typedef struct wide_points {
 
 /* Sums over directions so far, in the order of these. */
 typedef struct occlusion_sums {
-    float p[3][OCCLUDED_ROOM]; /* the points, moved off the surface */
-    float sky[OCCLUDED_ROOM], hidden[OCCLUDED_ROOM];
-    float weight[OCCLUDED_ROOM]; /* of the direction at hand */
+    float p[3][OCCLUDED_ROOM];                          /* the points, moved off the surface */
+    float light[OCCLUDED_ROOM], hidden[OCCLUDED_ROOM];  /* by the weights of directions */
+    float sky[OCCLUDED_ROOM], covered[OCCLUDED_ROOM];   /* the same with equal weights */
+    float weight[OCCLUDED_ROOM], cosine[OCCLUDED_ROOM]; /* of the direction at hand */
 } occlusion_sums;
 
 BURNISH_INLINE void queue_wide(wide_points *wide, unsigned lanes, const map_point *point, vf radius,
@@ -108,6 +109,7 @@ BURNISH_INLINE void add_wide(const burnish_occlusion_lookup *lookup,
     for (int i = 0; i < count; ++i) {
         const int index = wide->index[first + i];
         sums->hidden[index] += sums->weight[index] * hidden[i];
+        sums->covered[index] += sums->cosine[index] * hidden[i];
     }
 }
 
@@ -128,22 +130,25 @@ BURNISH_INLINE void add_directions(const burnish_occlusion_lookup *lookup,
     const vm is_wide = vf_greater(radius, vf_set(lookup->least_radius));
     const vf weight =
         vf_mul(size, vf_blend(back, vf_set(pair->weight[1]), vf_set(pair->weight[0])));
-    vf_store(sums->sky + i, vf_add(vf_load(sums->sky + i), weight));
+    vf_store(sums->light + i, vf_add(vf_load(sums->light + i), weight));
+    vf_store(sums->sky + i, vf_add(vf_load(sums->sky + i), size));
     if (vm_any(is_wide)) {
         vf_store(sums->weight + i, weight);
+        vf_store(sums->cosine + i, size);
         queue_wide(wide, vm_bits(is_wide), &point, vf_min(radius, vf_set(lookup->most_radius)),
                    shift, vi_add(vi_ramp(1), vi_set((int32_t)i)));
     }
     if (vm_any(vm_not(is_wide))) {
         const vf hidden = map_over(pair->depths, shift, lookup->size, &point, vf_set(1.0f),
                                    vf_set(lookup->slope));
-        const vf part = vf_mul(weight, vf_blend(is_wide, vf_set(0.0f), hidden));
-        vf_store(sums->hidden + i, vf_add(vf_load(sums->hidden + i), part));
+        const vf part = vf_blend(is_wide, vf_set(0.0f), hidden);
+        vf_store(sums->hidden + i, vf_add(vf_load(sums->hidden + i), vf_mul(weight, part)));
+        vf_store(sums->covered + i, vf_add(vf_load(sums->covered + i), vf_mul(size, part)));
     }
 }
 
 static void occlude(const burnish_occlusion_lookup *lookup, const float *const position[3],
-                    const float *const normal[3], size_t count, float *open) {
+                    const float *const normal[3], size_t count, float *const open[2]) {
     occlusion_sums sums;
     wide_points wide;
     for (size_t i = 0; i < count; i += LANES) {
@@ -151,8 +156,11 @@ static void occlude(const burnish_occlusion_lookup *lookup, const float *const p
             const vf off = vf_mul(vf_load(normal[k] + i), vf_set(lookup->offset));
             vf_store(sums.p[k] + i, vf_add(vf_load(position[k] + i), off));
         }
-        vf_store(sums.sky + i, vf_set(0x1p-20f)); /* one without a normal is not occluded */
-        vf_store(sums.hidden + i, vf_set(0.0f));
+        for (int k = 0; k < 2; ++k) {
+            vf_store((k ? sums.sky : sums.light) + i,
+                     vf_set(0x1p-20f)); /* without a normal: open */
+            vf_store((k ? sums.covered : sums.hidden) + i, vf_set(0.0f));
+        }
     }
     for (int d = 0; d < lookup->count; ++d) {
         wide.count = 0;
@@ -164,8 +172,10 @@ static void occlude(const burnish_occlusion_lookup *lookup, const float *const p
         }
     }
     for (size_t i = 0; i < count; i += LANES) {
-        const vf share = vf_div(vf_load(sums.hidden + i), vf_load(sums.sky + i));
-        vf_store(open + i, vf_sub(vf_set(1.0f), vf_mul(vf_set(lookup->strength), share)));
+        const vf share = vf_div(vf_load(sums.hidden + i), vf_load(sums.light + i));
+        const vf covered = vf_div(vf_load(sums.covered + i), vf_load(sums.sky + i));
+        vf_store(open[0] + i, vf_sub(vf_set(1.0f), vf_mul(vf_set(lookup->strength), share)));
+        vf_store(open[1] + i, vf_sub(vf_set(1.0f), vf_mul(vf_set(lookup->strength), covered)));
     }
 }
 
@@ -184,16 +194,16 @@ BURNISH_INLINE vf bounced_share(vf open, vf albedo) {
 }
 
 static void add_bounces(const burnish_occlusion_lookup *lookup, const float albedo[3],
-                        const float *const factor[3], const float *open, size_t count,
+                        const float *const factor[3], const float *const open[2], size_t count,
                         float *const rgb[3]) {
     for (size_t i = 0; i < count; i += LANES) {
-        const vf seen = vf_load(open + i);
+        const vf seen = vf_load(open[0] + i), sky = vf_load(open[1] + i);
         for (int k = 0; k < 3; ++k) {
             const vf own = factor[k] ? vf_load(factor[k] + i) : vf_set(1.0f);
             const vf reflected = vf_mul(vf_set(albedo[k]), own);
             const vf around = vf_mul(reflected, vf_set(lookup->mean[k]));
             const vf direct = vf_mul(vf_load(rgb[k] + i), seen);
-            vf_store(rgb[k] + i, vf_add(direct, vf_mul(around, bounced_share(seen, reflected))));
+            vf_store(rgb[k] + i, vf_add(direct, vf_mul(around, bounced_share(sky, reflected))));
         }
     }
 }
