@@ -163,8 +163,9 @@ static float luminance_of(const float rgb[3]) {
 #define DARK_SKY 0.35f
 #define SKY_OF_LIGHT (0.25f / (0.5f + 0.5f * DARK_SKY))
 
-/* Of a lobe of order 2: a cap of its integral is as large as a direction's part of the sphere. */
-#define DIRECTIONS_PER_ZETA 6.0f
+/* Of a lobe of order 2: a cap of its integral is 1.5 times a direction's part of the sphere. Less
+ * shows the silhouettes of single directions, more takes shadows' direction away. */
+#define DIRECTIONS_PER_ZETA 9.0f
 
 /* Weighs the directions of occlusion by the light that arrives from them, except from the light
  * whose shadow is drawn. */

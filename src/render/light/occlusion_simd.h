@@ -7,11 +7,20 @@
 
 /* Hidden shares are means of taps at these offsets, in radii: two rotated squares, because an edge
  * along a map's axis would meet two taps of an upright one at once. A single square shows as
- * blotches in deep places, where most directions are hidden by something far away. */
-enum { TAP_COUNT = 8 };
+ * blotches in deep places, where most directions are hidden by something far away. Directions of much
+ * light, whose taps would show as bands, have a spiral of twice as many. */
+enum { TAP_COUNT = 8, BRIGHT_TAP_COUNT = 16 };
 static const float TAPS[TAP_COUNT][2] = {{0.35f, 0.94f},  {-0.94f, 0.35f}, {-0.35f, -0.94f},
                                          {0.94f, -0.35f}, {0.5f, 0.02f},   {-0.02f, 0.5f},
                                          {-0.5f, -0.02f}, {0.02f, -0.5f}};
+static const float BRIGHT_TAPS[BRIGHT_TAP_COUNT][2] = {
+    {0.17f, 0.05f},   {-0.28f, 0.13f}, {0.15f, -0.37f}, {0.16f, 0.44f},
+    {-0.47f, -0.24f}, {0.57f, -0.15f}, {-0.34f, 0.54f}, {-0.12f, -0.67f},
+    {0.58f, 0.44f},   {-0.77f, 0.07f}, {0.54f, -0.60f}, {0.00f, 0.85f},
+    {-0.60f, -0.65f}, {0.92f, 0.08f},  {-0.75f, 0.58f}, {0.17f, -0.97f}};
+
+/* Of a direction that has more taps. */
+#define BRIGHT 2.5f
 
 /* How far above a point the blockers around it reach, in codes: the coarse map's maxima, bilinear,
  * less what the point's own plane rises in a cell. Most points have no blockers there, which a
@@ -41,10 +50,13 @@ BURNISH_INLINE vf blocker_distance(const burnish_occlusion_lookup *lookup,
 BURNISH_INLINE vf look_up_wide(const burnish_occlusion_lookup *lookup,
                                const burnish_occlusion_pair *pair, vi shift, const map_point *point,
                                vf radius) {
+    const int is_bright = pair->weight[0] > BRIGHT || pair->weight[1] > BRIGHT;
+    const int count = is_bright ? BRIGHT_TAP_COUNT : TAP_COUNT;
+    const float(*const taps)[2] = is_bright ? BRIGHT_TAPS : TAPS;
     const vf one = vf_set(1.0f), factor = vf_set(lookup->slope);
     vf hidden = vf_set(0.0f);
-    for (int i = 0; i < TAP_COUNT; ++i) {
-        const vf dx = vf_mul(radius, vf_set(TAPS[i][0])), dy = vf_mul(radius, vf_set(TAPS[i][1]));
+    for (int i = 0; i < count; ++i) {
+        const vf dx = vf_mul(radius, vf_set(taps[i][0])), dy = vf_mul(radius, vf_set(taps[i][1]));
         const vf rise = vf_add(vf_mul(dx, point->slope_x), vf_mul(dy, point->slope_y));
         map_point tap = *point;
         tap.x = vf_add(point->x, dx);
@@ -52,7 +64,7 @@ BURNISH_INLINE vf look_up_wide(const burnish_occlusion_lookup *lookup,
         tap.depth = vf_add(point->depth, rise);
         hidden = vf_add(hidden, map_over(pair->depths, shift, lookup->size, &tap, one, factor));
     }
-    return vf_mul(hidden, vf_set(1.0f / TAP_COUNT));
+    return vf_mul(hidden, vf_set(1.0f / (float)count));
 }
 
 enum { OCCLUDED_ROOM = BURNISH_OCCLUDED_MAX + LANES };
