@@ -9,7 +9,7 @@ enum { SIZE = 400 };
 /* A square of the plane x = WINDOW_X, or -WINDOW_X. */
 #define WINDOW_X 0.8
 #define WINDOW_Z 0.6
-#define WINDOW_HALF 0.3
+#define WINDOW_HALF 0.4
 
 enum { AMBIENT, SHADOW, WINDOW_LEFT, WINDOW_RIGHT };
 
@@ -27,7 +27,8 @@ static float *draw(const burnish_mesh *mesh, const double direction[3], int occl
     burnish_camera_frame(mesh, &framing, &options.camera, &error);
     options.width = options.height = SIZE;
     options.samples = 1;
-    options.light_count = options.shadow = light == SHADOW;
+    options.light_count = light == SHADOW;
+    options.shadow = light == SHADOW || (light > SHADOW && occlusion > 0);
     options.lights[0] = (burnish_light){.vector = {0.4, 0.2, 1}, .color = {1, 1, 1}};
     options.area_light_count = light >= WINDOW_LEFT;
     options.area_lights[0] = (burnish_area_light){.is_distant = 1,
@@ -127,7 +128,8 @@ static double hidden_of_window(double x) {
     return hidden / all;
 }
 
-/* Occlusion knows from where the light comes: a wall hides a window behind it, and none across. */
+/* Occlusion knows from where the light comes, and draws the shadow of a wide light: a wall hides a window
+ * behind it, and none across. */
 static void test_window(void) {
     static const float dark[3] = {0.001f, 0.001f, 0.001f};
     double squares = 0;

@@ -230,6 +230,8 @@ static burnish_status update_shadow(burnish_call *d) {
         .eye = d->view.eye};
     d->view.shading.shadow = NULL;
     if (!options->shadow || !d->target.pixels.pixels || !has_key) {
+        /* occlusion draws the shadow of a wide light */
+        d->report.shadow = options->shadow && area && burnish_vec3_length(area->toward_key) > 0;
         return BURNISH_STATUS_OK;
     }
     const burnish_status status = set_drawer(d);

@@ -168,17 +168,29 @@ static double facing_of(const burnish_area_light *light, burnish_vec3 normal, bu
     return facing < 0 && light->is_two_sided ? -facing : facing;
 }
 
+static double luminance_of(const float rgb[3]) {
+    return 0.2126 * (double)rgb[0] + 0.7152 * (double)rgb[1] + 0.0722 * (double)rgb[2];
+}
+
+/* A light in the raster's space, in which the object's centre is 0. */
+static burnish_area_light light_from_center(const burnish_area_view *view,
+                                            const burnish_area_light *from) {
+    burnish_area_light light = near_light(view, from);
+    for (int k = 0; k < 3 && !light.is_distant; ++k) {
+        light.center[k] += view->eye[k];
+    }
+    return light;
+}
+
 /* A light as the object's centre sees it: its direction, and how much it lights a surface there that
  * faces it, if it is a disc that is far away or on its axis. */
 static double strength_of(const burnish_area_view *view, const burnish_area_light *from,
                           burnish_vec3 *toward) {
-    const burnish_area_light light = near_light(view, from);
+    const burnish_area_light light = light_from_center(view, from);
     const burnish_vec3 u = burnish_vec3_load(light.half_u), v = burnish_vec3_load(light.half_v);
-    const burnish_vec3 normal = burnish_vec3_cross(u, v);
-    burnish_vec3 center = burnish_vec3_load(light.center);
+    const burnish_vec3 normal = burnish_vec3_cross(u, v), center = burnish_vec3_load(light.center);
     const double radius = burnish_area_radius(&light);
     double cosine = 1, area = BURNISH_PI * radius * radius;
-    center = light.is_distant ? center : burnish_vec3_add(center, burnish_vec3_load(view->eye));
     *toward = burnish_vec3_normalize(center);
     if (burnish_area_is_flat(&light)) {
         area = (light.shape == BURNISH_AREA_RECT ? 4 : BURNISH_PI) * burnish_vec3_length(normal);
@@ -186,9 +198,18 @@ static double strength_of(const burnish_area_view *view, const burnish_area_ligh
     } else if (light.shape == BURNISH_AREA_LINE) {
         area = 4 * radius * burnish_vec3_length(burnish_vec3_cross(u, *toward));
     }
-    const double radiance = 0.2126 * (double)light.color[0] + 0.7152 * (double)light.color[1] +
-                            0.0722 * (double)light.color[2];
-    return radiance * area * cosine / (area + BURNISH_PI * burnish_vec3_dot(center, center));
+    return luminance_of(light.color) * area * cosine /
+           (area + BURNISH_PI * burnish_vec3_dot(center, center));
+}
+
+/* Occlusion that takes most of what is hidden draws the shadow of a light of a larger solid angle than
+ * this better than one depth map. */
+#define WIDE 0.35
+
+static int is_occluded(const burnish_render_options *options, const burnish_area_light *light,
+                       double strength) {
+    return options->occlusion != 0 && options->occlusion_strength >= 0.5f &&
+           strength * BURNISH_PI > WIDE * luminance_of(light->color);
 }
 
 /* The strongest light, unless another one casts the shadow; the ground's needs no map. */
@@ -206,6 +227,9 @@ static void find_key(burnish_area *area, const burnish_render_options *options,
             area->key = options->shadow ? i : -1;
             area->toward_key = toward;
         }
+    }
+    if (area->key >= 0 && is_occluded(options, &options->area_lights[area->key], most)) {
+        area->key = -1;
     }
 }
 
@@ -568,23 +592,6 @@ void burnish_area_add(const burnish_area *area, const burnish_kernels *kernels,
                              &points, &each, (size_t)batch->count, rgb);
 }
 
-void burnish_area_add_white(const burnish_area *area, const burnish_kernels *kernels,
-                            const burnish_kernels_points *points, int count, float *const rgb[3]) {
-    static const burnish_reflecting_material white = {.diffuse = {1, 1, 1}, .roughness = 1};
-    const burnish_reflecting_points each = {.open = NULL};
-    const burnish_kernels_axes axes = {{points->normal[0], points->normal[1], points->normal[2]},
-                                       {NULL}};
-    kernels->add_environment(&area->constants, &white, points, &each, (size_t)count, rgb);
-    for (int l = 0; l < area->near_lights.count; ++l) {
-        float light[BURNISH_AREA_WHITE_MAX];
-        kernels->polygon_light(&area->near_lights.polygons[l], points, &axes, (size_t)count,
-                               (float *const[2]){light, NULL});
-        for (int i = 0; i < 3 * count; ++i) {
-            rgb[i % 3][i / 3] += area->near_lights.lights[l].color[i % 3] * light[i / 3];
-        }
-    }
-}
-
 void burnish_area_add_radiance(const burnish_area *area, const burnish_render_options *options,
                                const burnish_area_view *view, float zeta, const float *const w[3],
                                int count, float *const rgb[3]) {
@@ -597,13 +604,11 @@ void burnish_area_add_radiance(const burnish_area *area, const burnish_render_op
         const burnish_area_light *from = &options->area_lights[i];
         if (light_shines(from) && i != area->key && !from->is_distant) {
             burnish_area_light *to = &lights[filler.sources.distant_count];
-            *to = near_light(view, from);
-            const burnish_vec3 center =
-                burnish_vec3_add(burnish_vec3_load(to->center), burnish_vec3_load(view->eye));
-            burnish_vec3_store(center, to->center);
+            *to = light_from_center(view, from);
+            const double distance = burnish_vec3_length(burnish_vec3_load(to->center));
             /* one around the centre has no direction */
             filler.sources.distant_count +=
-                burnish_area_is_flat(to) || burnish_area_radius(to) < burnish_vec3_length(center);
+                burnish_area_is_flat(to) || burnish_area_radius(to) < distance;
         }
     }
     burnish_map_light_add_polygons(&light);

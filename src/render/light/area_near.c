@@ -133,3 +133,20 @@ void burnish_near_lights_add_key(const burnish_near_lights *lights, const float 
         }
     }
 }
+
+void burnish_area_add_white(const burnish_area *area, const burnish_kernels *kernels,
+                            const burnish_kernels_points *points, int count, float *const rgb[3]) {
+    static const burnish_reflecting_material white = {.diffuse = {1, 1, 1}, .roughness = 1};
+    const burnish_reflecting_points each = {.open = NULL};
+    const burnish_kernels_axes axes = {{points->normal[0], points->normal[1], points->normal[2]},
+                                       {NULL}};
+    kernels->add_environment(&area->constants, &white, points, &each, (size_t)count, rgb);
+    for (int l = 0; l < area->near_lights.count; ++l) {
+        float light[BURNISH_AREA_WHITE_MAX];
+        kernels->polygon_light(&area->near_lights.polygons[l], points, &axes, (size_t)count,
+                               (float *const[2]){light, NULL});
+        for (int i = 0; i < 3 * count; ++i) {
+            rgb[i % 3][i / 3] += area->near_lights.lights[l].color[i % 3] * light[i / 3];
+        }
+    }
+}
