@@ -23,8 +23,10 @@
  * For Phong materials, an area light that shrinks to solid angle W becomes a directional light of
  * colour L W / pi.
  *
- * One area light can cast a shadow (burnish_render_options.shadow), as if all of its light came
- * from its centre. Ambient occlusion darkens the other area lights as it does all light.
+ * Ambient occlusion weighs the directions that a point sees by the light that arrives from them, so
+ * area lights, domes and environments cast soft shadows. One area light can cast a sharper one
+ * (burnish_render_options.shadow), as if all of its light came from its centre; occlusion of at least
+ * half strength replaces it on the object if the light is wider than 0.35 sr.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors

@@ -134,10 +134,10 @@ typedef struct burnish_render_options {
     float ambient_light[3]; /* Ia, linear */
     int occlusion; /* directions of ambient occlusion, [0, BURNISH_OCCLUSION_MAX]; 0: no occlusion;
                       or BURNISH_OCCLUSION_AUTO. An odd number is rounded up */
-    float occlusion_strength; /* [0, 1]: the direct light that a point without any sky loses. What
+    float occlusion_strength; /* [0, 1]: what a point from which a light is hidden loses of it. What
                                  surfaces around it reflect, by their colour, is added */
-    double up[3]; /* the up direction for the sky of ambient occlusion and for the ground, of any
-                     length; 0, 0, 0: the up_axis of the mesh */
+    double up[3]; /* the up direction for the ground, and for the sky as which lights without extent
+                     count in occlusion; of any length; 0, 0, 0: the up_axis of the mesh */
     int ground;   /* 1: the object shades the plane normal to `up` through its lowest point. The
                    background is darkened where it shows that plane from above; a transparent
                    background becomes black with the shadow as alpha. Without `lights`, the shadow

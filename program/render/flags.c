@@ -440,7 +440,8 @@ static const cli_flag flags[] = {
      .default_label = "the look's", .aliases = "ambient-occlusion,ao", .off = "none",
      .manual =
          "Ambient occlusion darkens creases, holes and undersides, the less the brighter their "
-         "colour is, because surfaces light each other. _N_ is the number of directions from "
+         "colour is, because surfaces light each other, and draws the soft shadows of area lights "
+         "and environments. _N_ is the number of directions from "
          "which light arrives, or *none*; odd numbers are rounded up. More directions are "
          "smoother and slower."},
     {DRAW_SWITCH("ground", "draw a soft shadow below the object", shading.ground),
@@ -464,7 +465,8 @@ static const cli_flag flags[] = {
      .manual = "The first light, which must be directional, casts a shadow with a soft edge on the "
                "object itself, and on the ground of *--ground*. In the look *studio*, or if all "
                "lights are area lights, the strongest area light does, as if all of its light came "
-               "from its centre."},
+               "from its centre. If it is wide and there is occlusion, its soft shadow on the "
+               "object is there without this flag."},
     {DRAW_FLAG("edges", "LIST", "draw edges", render_flag_edges, shading.edges),
      .value_type = CLI_TYPE_WORDS, .common = 1, .optional = 1, .words = edge_words, .off = "none",
      .aliases = "outline,outlines,feature-edges",
