@@ -597,7 +597,8 @@ void burnish_area_add_radiance(const burnish_area *area, const burnish_render_op
                                int count, float *const rgb[3]) {
     burnish_area_light lights[BURNISH_AREA_LIGHT_MAX];
     burnish_map_filler filler = {.kernels = options->kernels};
-    burnish_map_light light = {.filler = &filler, .lobes = {1, {{2, zeta, 1.0f}}}, .has_rest = 1};
+    burnish_map_light light = {
+        .filler = &filler, .lobes = {1, {{2, zeta, 1.0f}}}, .has_dome = 1, .has_environment = 1};
     filler.kernels = filler.kernels ? filler.kernels : burnish_kernels_best();
     gather_sources(area, options, view, 0, lights, &filler.sources);
     for (int i = 0; i < options->area_light_count; ++i) {

@@ -112,10 +112,10 @@ typedef struct burnish_area_material {
 /* Owned; all zero before the first frame. */
 typedef struct burnish_area {
     burnish_environment_constants constants;
-    burnish_light_maps *maps;         /* NULL: not created yet */
-    burnish_near_lights near_lights;  /* their alphas are followed by levels */
-    int key;                          /* number of the area light whose shadow a depth map draws, or -1 */
-    burnish_vec3 toward_key;          /* the strongest one, from the object's centre, a unit vector;
+    burnish_light_maps *maps;        /* NULL: not created yet */
+    burnish_near_lights near_lights; /* their alphas are followed by levels */
+    int key;                 /* number of the area light whose shadow a depth map draws, or -1 */
+    burnish_vec3 toward_key; /* the strongest one, from the object's centre, a unit vector;
                                          0: no shadow is cast on object or ground */
     burnish_area_material *materials; /* one per material */
     size_t material_capacity;
