@@ -29,7 +29,7 @@
  * image's shorter edge: a shadow that leaves the image would look cut off. Most that do leave at a
  * side; the object's contact is often near the bottom. */
 #define BORDER_X 0.25f
-#define BORDER_Y 0.12f
+#define BORDER_Y 0.09f
 
 /* Texels along the texture's edge, by pixels along the picture's shorter one: small pictures show
  * no more, and most of their time would go there. */
