@@ -27,6 +27,9 @@ typedef enum burnish_texture_slot {
     BURNISH_TEXTURE_EMISSIVE,           /* rgb multiplies emissive */
     BURNISH_TEXTURE_OCCLUSION,          /* r multiplies the ambient light */
     BURNISH_TEXTURE_OPACITY,            /* r multiplies the opacity */
+    BURNISH_TEXTURE_COAT,               /* r multiplies coat */
+    BURNISH_TEXTURE_COAT_ROUGHNESS,     /* g multiplies coat_roughness */
+    BURNISH_TEXTURE_COAT_NORMAL,        /* as NORMAL, for the coat, which ignores NORMAL */
     BURNISH_TEXTURE_SLOT_COUNT
 } burnish_texture_slot;
 
@@ -42,11 +45,12 @@ typedef struct burnish_texture_use {
     int texture;        /* 1 + number of the texture in the mesh; 0: no texture */
     int wrap[2];        /* burnish_texture_wrap of u and v */
     int is_nearest;     /* 1: the nearest texel, for pixel art; 0: filtered */
-    int coordinates;    /* 0: the mesh's texture_coordinates; 1: second_coordinates. NORMAL: 0 */
+    int coordinates;    /* 0: the mesh's texture_coordinates; 1: second_coordinates. NORMAL and
+                           COAT_NORMAL: 0 */
     int has_transform;  /* 1: u' = t0 u + t1 v + t2, v' = t3 u + t4 v + t5 */
     float transform[6]; /* finite */
-    float strength;     /* NORMAL: factor of x and y; OCCLUSION: 0 none to 1 full. Not used for
-                           the other slots */
+    float strength;     /* NORMAL, COAT_NORMAL: factor of x and y; OCCLUSION: 0 none to 1 full. Not
+                           used for the other slots */
 } burnish_texture_use;
 
 /* The effect of alpha in textures and of the opacity. */
@@ -87,6 +91,11 @@ typedef struct burnish_material {
     float metallic, roughness; /* [0, 1] */
     float reflectance[3];      /* of a dielectric at normal incidence: 0.04 for an index of
                                   refraction of 1.5 */
+
+    /* A clear coat over all of the above: it reflects as a metallic-roughness material of
+     * reflectance 0.04 and this roughness does, times `coat`, and takes coat F of the light below
+     * it, F = 0.04 + 0.96 (1 - N.V)^5. [0, 1]; coat 0: none */
+    float coat, coat_roughness;
 
     burnish_alpha_mode alpha_mode;
     float alpha_cutoff; /* MASK: [0, 1] */

@@ -62,11 +62,26 @@ typedef struct burnish_view_distance {
     float constant, slope;
 } burnish_view_distance;
 
+/* The clear coat of a material, as a material of its own. */
+typedef struct burnish_coat {
+    burnish_material material;
+    size_t base; /* the number of the material below it */
+} burnish_coat;
+
 typedef struct burnish_drawn_mesh {
     const burnish_mesh *mesh;      /* for its materials and textures */
     const burnish_mesh_view *view; /* of the mesh */
     size_t material_count;
     int ignore_colors; /* 1: as if its vertices had no colours */
+    const burnish_coat *coats;
+    size_t coat_count; /* their numbers follow the mesh's materials */
 } burnish_drawn_mesh;
+
+/* A material of the mesh, or a coat. */
+static inline const burnish_material *burnish_drawn_material(const burnish_drawn_mesh *mesh,
+                                                             size_t number) {
+    return number < mesh->material_count ? burnish_mesh_get_material(mesh->mesh, number)
+                                         : &mesh->coats[number - mesh->material_count].material;
+}
 
 #endif

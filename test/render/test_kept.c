@@ -64,6 +64,8 @@ static burnish_material random_material(int textures) {
     material.is_metallic = chance(20);
     material.roughness = (float)uniform(0, 1);
     material.metallic = (float)uniform(0, 1);
+    material.coat = chance(20) ? (float)uniform(0, 1) : 0;
+    material.coat_roughness = (float)uniform(0, 1);
     material.is_unlit = chance(10);
     material.transparency = one_of(transparencies, 6);
     material.alpha_mode = (burnish_alpha_mode)below(3);
@@ -220,6 +222,7 @@ static void change_material(frame *f) {
     }
     if (!burnish_mesh_get_view(mesh)->tangents) {
         material.textures[BURNISH_TEXTURE_NORMAL].texture = 0;
+        material.textures[BURNISH_TEXTURE_COAT_NORMAL].texture = 0;
     }
     if (!burnish_mesh_get_view(mesh)->texture_coordinates) {
         memset(material.textures, 0, sizeof material.textures);

@@ -80,12 +80,13 @@ static burnish_mesh *make_textured(int kind) {
                               slot == BURNISH_TEXTURE_COLOR || slot == BURNISH_TEXTURE_SPECULAR ||
                                   slot == BURNISH_TEXTURE_EMISSIVE};
         material.textures[slot] = (burnish_texture_use){
-            .texture = slot + 1, .wrap = {slot % 3, slot / 3}, .strength = 0.8f};
+            .texture = slot + 1, .wrap = {slot % 3, slot / 3 % 3}, .strength = 0.8f};
     }
     material.alpha_mode = (burnish_alpha_mode)(kind & 3);
     material.emissive[1] = kind & EVERY_SLOT ? 0.5f : 0;
     material.is_metallic = (kind & METALLIC) != 0;
     material.metallic = material.roughness = 1;
+    material.coat = kind & EVERY_SLOT ? 0.5f : 0;
     give_textures(&arrays, coordinates, textures, (size_t)slots);
     give_materials(&arrays, &material, 1);
     burnish_mesh *mesh = create_mesh(&arrays, NULL);

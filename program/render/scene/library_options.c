@@ -69,6 +69,7 @@ static void apply_preset(const render_preset *preset, int is_wide, burnish_mater
     }
     material->exponent = preset->exponent;
     material->has_exponent = 1;
+    material->coat = 0;
 }
 
 /* One material, changed by the flags. */
@@ -87,6 +88,7 @@ static burnish_material adjusted_material(const render_shading_settings *shading
     if (shading->specular.given || shading->exponent.given) {
         render_make_phong(&material);
     }
+    material.coat = shading->specular.given ? 0 : material.coat;
     for (int k = 0; k < 3 && shading->specular.given; ++k) {
         material.specular[k] = (float)shading->specular.value;
     }
@@ -119,7 +121,7 @@ static int is_black(const burnish_material *material, float least) {
     for (int i = 0; i < BURNISH_TEXTURE_SLOT_COUNT; ++i) {
         is_textured |= material->textures[i].texture != 0;
     }
-    return material->has_diffuse && !material->is_unlit && !is_textured &&
+    return material->has_diffuse && !material->is_unlit && !is_textured && material->coat == 0 &&
            largest_of(material->emissive) == 0 && largest_of(material->diffuse) < least &&
            specular < least && reflectance < least;
 }

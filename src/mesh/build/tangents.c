@@ -76,7 +76,8 @@ void burnish_build_prepare_textures(burnish_builder *b, const burnish_load_optio
     if (!any && !options->keep_texture_coordinates) {
         burnish_mesh_data_drop(data, BURNISH_TEXCOORD);
     }
-    b->needs_tangents = any && uses_texture(data, BURNISH_TEXTURE_NORMAL);
+    b->needs_tangents = any && (uses_texture(data, BURNISH_TEXTURE_NORMAL) ||
+                                uses_texture(data, BURNISH_TEXTURE_COAT_NORMAL));
     if (!b->needs_tangents) {
         burnish_mesh_data_drop(data, BURNISH_TANGENT);
     }

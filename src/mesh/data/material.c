@@ -47,8 +47,8 @@ const burnish_texture *burnish_mesh_get_texture(const burnish_mesh *mesh, size_t
 /* ---- Checks ---- */
 
 static const char *const slot_names[BURNISH_TEXTURE_SLOT_COUNT] = {
-    "color",  "specular", "exponent",  "metallic_roughness",
-    "normal", "emissive", "occlusion", "opacity"};
+    "color",     "specular", "exponent", "metallic_roughness", "normal",     "emissive",
+    "occlusion", "opacity",  "coat",     "coat_roughness",     "coat_normal"};
 
 static burnish_status check_use(const burnish_texture_use *use, int slot, size_t texture_count,
                                 const char *name, burnish_error *error) {
@@ -67,11 +67,12 @@ static burnish_status check_use(const burnish_texture_use *use, int slot, size_t
                             "%s: textures[%s].wrap is %d, %d; expected 0 to %d", name,
                             slot_names[slot], use->wrap[0], use->wrap[1], BURNISH_WRAP_MIRROR);
     }
-    if ((unsigned)use->coordinates > (slot == BURNISH_TEXTURE_NORMAL ? 0u : 1u)) {
-        return burnish_fail(
-            error, BURNISH_STATUS_ARGUMENT, "%s: textures[%s].coordinates is %d; expected 0%s",
-            name, slot_names[slot], use->coordinates,
-            slot == BURNISH_TEXTURE_NORMAL ? ", as tangents belong to the first" : " or 1");
+    const int has_tangents = burnish_is_normal_slot(slot);
+    if ((unsigned)use->coordinates > (has_tangents ? 0u : 1u)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "%s: textures[%s].coordinates is %d; expected 0%s", name,
+                            slot_names[slot], use->coordinates,
+                            has_tangents ? ", as tangents belong to the first" : " or 1");
     }
     if (!is_finite) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -100,6 +101,8 @@ burnish_status burnish_check_material(const burnish_material *material, size_t t
                    {"transparency", material->transparency, 0, 1},
                    {"metallic", material->metallic, 0, 1},
                    {"roughness", material->roughness, 0, 1},
+                   {"coat", material->coat, 0, 1},
+                   {"coat_roughness", material->coat_roughness, 0, 1},
                    {"alpha_cutoff", material->alpha_cutoff, 0, 1},
                    {"alpha_mode", (float)material->alpha_mode, 0, BURNISH_ALPHA_BLEND}};
     for (int i = 0; i < 12; ++i) {

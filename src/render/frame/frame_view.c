@@ -300,7 +300,7 @@ static burnish_status fold_materials(const burnish_drawn_mesh *mesh,
                                      const burnish_kernels_lighting *lighting,
                                      burnish_shaders *shaders, burnish_view *view,
                                      burnish_memory *memory) {
-    const size_t count = mesh->material_count + 1;
+    const size_t count = mesh->material_count + mesh->coat_count + 1;
     const size_t lights = (size_t)lighting->light_count;
     const int has_colors = mesh->view->colors && !mesh->ignore_colors;
     const drawn_lobe exact = {.lobe = {.kind = BURNISH_LOBE_EXACT}, .scale = 1};
@@ -316,8 +316,7 @@ static burnish_status fold_materials(const burnish_drawn_mesh *mesh,
     status = memory->status;
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         const int is_white = i + 1 == count;
-        const burnish_material *material =
-            is_white ? &WHITE : burnish_mesh_get_material(mesh->mesh, i);
+        const burnish_material *material = is_white ? &WHITE : burnish_drawn_material(mesh, i);
         const drawn_lobe *lobe = is_white || (options->lobe.by_material && material->has_exponent)
                                      ? &exact
                                      : known_lobe(known, &options->lobe, material->exponent);
@@ -398,12 +397,14 @@ static int are_alike(const burnish_kernels_shader *shaders, size_t count) {
 
 static void make_shading(const burnish_kernels_lighting *lighting,
                          const burnish_render_options *options, const burnish_shaders *shaders,
-                         size_t material_count, burnish_shading *shading) {
+                         const burnish_drawn_mesh *mesh, burnish_shading *shading) {
+    const size_t count = mesh->material_count;
     shading->shaders = shaders->items;
-    shading->white = &shaders->items[material_count];
-    shading->mixed_body = mixed_body(shaders->items, material_count);
+    shading->white = &shaders->items[count + mesh->coat_count];
+    shading->mixed_body =
+        mesh->coat_count > 0 ? BURNISH_LOBE_BODY_NONE : mixed_body(shaders->items, count);
     shading->is_alike =
-        shading->mixed_body != BURNISH_LOBE_BODY_NONE && are_alike(shaders->items, material_count);
+        shading->mixed_body != BURNISH_LOBE_BODY_NONE && are_alike(shaders->items, count);
     shading->needs_position = lighting->local_viewer || options->occlusion != 0 || options->shadow;
     for (int i = 0; i < lighting->light_count; ++i) {
         shading->needs_position |= lighting->lights[i].kind == BURNISH_LIGHT_POINT;
@@ -460,7 +461,7 @@ burnish_status burnish_view_create(const burnish_drawn_mesh *mesh,
         status = burnish_texturing_view(texturing, &lighting, &options->lobe, memory->error);
     }
     if (status == BURNISH_STATUS_OK) {
-        make_shading(&lighting, options, shaders, mesh->material_count, &view->shading);
+        make_shading(&lighting, options, shaders, mesh, &view->shading);
         view->shading.texturing = texturing;
     }
     return status;

@@ -33,6 +33,7 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
         burnish_texturing_destroy(&renderer->texturing, context);
         burnish_area_destroy(&renderer->area, context);
         burnish_geometry_destroy(&renderer->geometry);
+        burnish_coats_destroy(&renderer->coats, context);
         burnish_release(context, renderer->shaders.items);
         burnish_release(context, renderer->shaders.lights);
         burnish_release(context, renderer->background.bytes);
@@ -70,7 +71,8 @@ static burnish_status draw_checked(burnish_renderer *renderer, const burnish_mes
     const burnish_render_options resolved = burnish_render_options_resolve(options);
     burnish_call call = {.renderer = renderer,
                          .mesh = {mesh, burnish_mesh_get_view(mesh),
-                                  burnish_mesh_get_material_count(mesh), options->ignore_colors},
+                                  burnish_mesh_get_material_count(mesh), options->ignore_colors,
+                                  NULL, 0},
                          .options = &resolved,
                          .target = *target,
                          .counts = report ? options->counts : BURNISH_COUNTS_NONE,

@@ -502,8 +502,12 @@ burnish_status burnish_call_run(burnish_call *d) {
     renderer->texturing.ops = d->view.shading.ops;
     d->report.threads = burnish_tasks_threads(&renderer->tasks);
     d->report.triangles = d->mesh.view->triangle_count;
-    burnish_status status = burnish_texturing_update(
-        &renderer->texturing, &d->mesh, d->options->samples, &renderer->tasks, &d->memory);
+    burnish_status status =
+        burnish_coats_update(&renderer->coats, &d->mesh, &d->view.shading, &d->memory);
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_texturing_update(&renderer->texturing, &d->mesh, d->options->samples,
+                                          &renderer->tasks, &d->memory);
+    }
     burnish_texturing *texturing = renderer->texturing.has_some ? &renderer->texturing : NULL;
     if (status == BURNISH_STATUS_OK) {
         status = burnish_view_create(&d->mesh, d->options, &renderer->shaders, texturing, &d->view,

@@ -86,6 +86,24 @@ static void shade_material(const burnish_shading *shading, const burnish_fragmen
     }
 }
 
+/* The same, with the coat over it. */
+static void shade_layers(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                         const burnish_kernels_points *points,
+                         float (*streams)[BURNISH_SHADE_BATCH], int material,
+                         burnish_fragment_scratch *scratch, float *const rgb[3]) {
+    const int coat = shading->coats ? shading->coats[material] : -1;
+    if (coat >= 0) {
+        float *const light[3] = {scratch->coat[0], scratch->coat[1], scratch->coat[2]};
+        shade_material(shading, batch, points, streams, coat, scratch, light);
+        burnish_coat_weigh(shading, points, batch->count, material, scratch);
+    }
+    shade_material(shading, batch, points, streams, material, scratch, rgb);
+    for (int i = 0; coat >= 0 && i < 3 * batch->count; ++i) {
+        const int k = i % 3, at = i / 3;
+        rgb[k][at] = rgb[k][at] * scratch->below[at] + scratch->coat[k][at];
+    }
+}
+
 static int has_one_material(const burnish_fragment_batch *batch) {
     const int32_t *material = batch->material;
     int32_t different = 0;
@@ -194,8 +212,8 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
             const int size = shading->ops->collect_material(material, i, batch->count, group->left,
                                                             &streams, group->starts);
             part.count = size;
-            shade_material(shading, &part, &brought, scratch->texture.brought, material, scratch,
-                           light);
+            shade_layers(shading, &part, &brought, scratch->texture.brought, material, scratch,
+                         light);
             if (shading->occlusion) {
                 burnish_add_bounces(shading, &brought, size, material, group->open,
                                     &scratch->texture, light);
@@ -245,7 +263,7 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
     }
     if (has_one_material(batch)) {
         const int material = batch->material ? batch->material[0] : 0;
-        shade_material(shading, batch, &points, scratch->texture.points, material, scratch, rgb);
+        shade_layers(shading, batch, &points, scratch->texture.points, material, scratch, rgb);
         if (shading->occlusion) {
             burnish_add_bounces(shading, &points, batch->count, material, scratch->share.open,
                                 &scratch->texture, rgb);

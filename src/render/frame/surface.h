@@ -70,10 +70,12 @@ typedef struct burnish_fragment_batch {
 typedef struct burnish_shading {
     const burnish_kernels *kernels;
     const burnish_render_ops *ops;
-    const burnish_kernels_shader *shaders;            /* one per material */
-    const burnish_kernels_shader *white;              /* all light is diffusely reflected */
-    burnish_rays rays;                                /* from the eye */
-    int needs_position;                               /* 1: a point light or a local viewer */
+    const burnish_kernels_shader *shaders; /* one per material */
+    const burnish_kernels_shader *white;   /* all light is diffusely reflected */
+    const int32_t *coats;     /* per material: the number of its coat, or -1; NULL: none has one */
+    const float *coat_shares; /* per material: burnish_material.coat; read with coats */
+    burnish_rays rays;        /* from the eye */
+    int needs_position;       /* 1: a point light or a local viewer */
     const struct burnish_occlusion_lookup *occlusion; /* NULL: none */
     const struct burnish_shadow_lookup *shadow;       /* of the first light; NULL: none */
     const burnish_texturing *texturing;               /* NULL: no material is special */
@@ -118,6 +120,8 @@ typedef struct burnish_fragment_scratch {
     float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
     float lit[BURNISH_SHADE_BATCH];       /* what of the first light reaches a point */
     float albedo[3][BURNISH_SHADE_BATCH]; /* of points of several materials */
+    float coat[3][BURNISH_SHADE_BATCH];   /* light of the coat */
+    float below[BURNISH_SHADE_BATCH];     /* what it leaves of the light below it */
     burnish_material_group group;
     burnish_share_scratch share;
     burnish_texture_scratch texture;
@@ -134,6 +138,27 @@ typedef struct burnish_row_light {
     float hatch[BURNISH_BLOCK_ROW_PIXELS];  /* where there are caps: burnish_cap_hatch */
     float rgb[3][BURNISH_BLOCK_ROW_PIXELS]; /* linear light, >= 0 */
 } burnish_row_light;
+
+/* ---- Clear coats (coat.c) ---- */
+
+/* A frame's coats. Owned; all zero before the first frame. */
+typedef struct burnish_coats {
+    burnish_coat *items;
+    int32_t *numbers; /* burnish_shading.coats */
+    float *shares;
+    size_t item_capacity, number_capacity, share_capacity;
+} burnish_coats;
+
+/* Finds the coats of the mesh's materials. Errors: MEMORY. */
+burnish_status burnish_coats_update(burnish_coats *coats, burnish_drawn_mesh *mesh,
+                                    burnish_shading *shading, burnish_memory *memory);
+void burnish_coats_destroy(burnish_coats *coats, const burnish_context *context);
+
+/* What a coat of `count` points reflects becomes what is seen of it, times its share, and scratch->below
+ * what it leaves of the light of its base. The coat was shaded last.
+ *   points  of the base */
+void burnish_coat_weigh(const burnish_shading *shading, const burnish_kernels_points *points,
+                        int count, int base, burnish_fragment_scratch *scratch);
 
 /* ---- Occlusion and what bounces (bounces.c) ---- */
 

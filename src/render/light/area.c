@@ -383,21 +383,23 @@ static burnish_status update_materials(burnish_area *area, const burnish_drawn_m
                                        const burnish_texturing *texturing, burnish_memory *memory) {
     const int has_colors = mesh->view->colors && !mesh->ignore_colors;
     burnish_status status = find_used(area, mesh, memory);
-    area->materials =
-        burnish_reserve_discard(memory, area->materials, &area->material_capacity,
-                                mesh->material_count, sizeof *area->materials, "materials");
+    const size_t count = mesh->material_count + mesh->coat_count;
+    area->materials = burnish_reserve_discard(memory, area->materials, &area->material_capacity,
+                                              count, sizeof *area->materials, "materials");
     status = memory->status;
     area->alpha_count = area->narrow_count = area->has_levels = 0;
     area->first_level = BURNISH_LIGHT_LEVELS - 1;
-    for (size_t i = 0; i < mesh->material_count && status == BURNISH_STATUS_OK; ++i) {
-        const burnish_material *from = burnish_mesh_get_material(mesh->mesh, i);
+    for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
+        const burnish_material *from = burnish_drawn_material(mesh, i);
+        const size_t base =
+            i < mesh->material_count ? i : mesh->coats[i - mesh->material_count].base;
         const burnish_textured_material *textured = texturing ? &texturing->materials[i] : NULL;
         burnish_area_material *to = &area->materials[i];
         *to = (burnish_area_material){.reflecting = reflecting_of(from, has_colors)};
         for (int k = 0; k < 3 && textured && textured->is_varied; ++k) {
             to->reflecting.diffuse[k] = 1; /* points have it */
         }
-        to->reflecting.reflects &= area->used[i];
+        to->reflecting.reflects &= area->used[base];
         if (to->reflecting.reflects) {
             find_alpha(area, textured, to);
         }

@@ -116,7 +116,7 @@ static burnish_status set_material(burnish_texturing *texturing, const burnish_m
                                    const burnish_material *from, burnish_tasks *tasks,
                                    burnish_memory *memory, burnish_textured_material *to) {
     *to = (burnish_textured_material){.material = *from, .is_varied = from->is_metallic};
-    for (int slot = 0; slot < BURNISH_TEXTURE_SLOT_COUNT; ++slot) {
+    for (int slot = 0; slot < BURNISH_TEXTURE_COAT; ++slot) { /* its coat has the others */
         const burnish_texture_use *use = &from->textures[slot];
         if (use->texture == 0) {
             continue;
@@ -181,11 +181,11 @@ burnish_status burnish_texturing_update(burnish_texturing *texturing,
                                         burnish_tasks *tasks, burnish_memory *memory) {
     const burnish_mesh *mesh = drawn->mesh;
     const int has_colors = drawn->view->colors && !drawn->ignore_colors;
-    const size_t count = drawn->material_count;
+    const size_t count = drawn->material_count + drawn->coat_count;
     texturing->has_some = texturing->needs_points = texturing->has_alpha = 0;
     texturing->needs_tangents = texturing->needs_second = texturing->smooth_samples = 0;
     texturing->samples = samples;
-    for (size_t i = 0; i < count && !texturing->has_some; ++i) {
+    for (size_t i = 0; i < drawn->material_count && !texturing->has_some; ++i) {
         texturing->has_some = is_special(burnish_mesh_get_material(mesh, i));
     }
     if (!texturing->has_some) {
@@ -202,8 +202,13 @@ burnish_status burnish_texturing_update(burnish_texturing *texturing,
     }
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         burnish_textured_material *material = &texturing->materials[i];
-        status = set_material(texturing, mesh, burnish_mesh_get_material(mesh, i), tasks, memory,
+        status = set_material(texturing, mesh, burnish_drawn_material(drawn, i), tasks, memory,
                               material);
+        if (i >= drawn->material_count) { /* its opacity is another layer's */
+            material->is_alpha = 0;
+            texturing->materials[drawn->coats[i - drawn->material_count].base].has_textures |=
+                material->has_textures;
+        }
         if (has_colors && !material->material.has_diffuse) {
             make_white(&material->material);
         }

@@ -122,6 +122,33 @@ static void read_specular(burnish_gltf *gltf, uint32_t value, burnish_texture_us
     }
 }
 
+/* KHR_materials_clearcoat. */
+static void read_coat(burnish_gltf *gltf, uint32_t value, burnish_material *material) {
+    const uint32_t coat = burnish_gltf_extension(gltf, value, "KHR_materials_clearcoat");
+    burnish_texture_use *textures = material->textures;
+    const double factor = burnish_gltf_number(gltf, coat, "clearcoatFactor", 0);
+    const double roughness = burnish_gltf_number(gltf, coat, "clearcoatRoughnessFactor", 0);
+    material->coat = material->is_unlit ? 0 : (float)clamp_number(factor, 0, 1);
+    material->coat_roughness = (float)clamp_number(roughness, 0, 1);
+    if (!(material->coat > 0)) {
+        return;
+    }
+    gltf->reader->mesh->has_normal_textures |=
+        burnish_json_member(&gltf->json, coat, "clearcoatNormalTexture") != BURNISH_JSON_NONE;
+    textures[BURNISH_TEXTURE_COAT] =
+        burnish_gltf_read_texture(gltf, coat, "clearcoatTexture", BURNISH_GLTF_NUMBERS, NULL);
+    textures[BURNISH_TEXTURE_COAT_ROUGHNESS] = burnish_gltf_read_texture(
+        gltf, coat, "clearcoatRoughnessTexture", BURNISH_GLTF_NUMBERS, NULL);
+    textures[BURNISH_TEXTURE_COAT_NORMAL] = burnish_gltf_read_texture(
+        gltf, coat, "clearcoatNormalTexture", BURNISH_GLTF_NUMBERS, "scale");
+    if (textures[BURNISH_TEXTURE_COAT_NORMAL].coordinates) {
+        burnish_gltf_note(gltf, &gltf->other_sets, coat,
+                          "clearcoatNormalTexture is ignored, as normalTexture uses another set of "
+                          "texture coordinates");
+        memset(&textures[BURNISH_TEXTURE_COAT_NORMAL], 0, sizeof *textures);
+    }
+}
+
 /* Textures that multiply glTF's factors need the original base colour and factors; so do vertex
  * colours on a metal. */
 static void read_textures(burnish_gltf *gltf, uint32_t value, uint32_t glossy,
@@ -199,6 +226,7 @@ static burnish_material read_material(burnish_gltf *gltf, uint32_t value) {
     read_emission(gltf, value, &material);
     read_alpha(gltf, value, surface.base[3], &material);
     read_textures(gltf, value, glossy, &material);
+    read_coat(gltf, value, &material);
     settle_gloss(gltf, glossy, &surface, &material);
     return material;
 }

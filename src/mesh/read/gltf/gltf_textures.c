@@ -123,6 +123,8 @@ void burnish_gltf_texture_sets(const burnish_gltf *gltf, uint32_t material, unsi
                 {"KHR_materials_pbrSpecularGlossiness", "specularGlossinessTexture", 2},
                 {"KHR_materials_specular", "specularColorTexture", 2},
                 {"KHR_materials_specular", "specularTexture", 2},
+                {"KHR_materials_clearcoat", "clearcoatTexture", 1},
+                {"KHR_materials_clearcoat", "clearcoatRoughnessTexture", 1},
                 {NULL, "normalTexture", 2},
                 {NULL, "occlusionTexture", 2},
                 {NULL, "emissiveTexture", 2}};
@@ -138,6 +140,10 @@ void burnish_gltf_texture_sets(const burnish_gltf *gltf, uint32_t material, unsi
         votes[set_of_use(json, burnish_json_member(json, object, uses[i].key))] += uses[i].votes;
     }
     sets[0] = set_of_use(json, burnish_json_member(json, material, "normalTexture"));
+    if (sets[0] == BURNISH_GLTF_TEXCOORDS) {
+        const uint32_t coat = burnish_json_member(json, extensions, "KHR_materials_clearcoat");
+        sets[0] = set_of_use(json, burnish_json_member(json, coat, "clearcoatNormalTexture"));
+    }
     sets[0] = sets[0] < BURNISH_GLTF_TEXCOORDS ? sets[0] : most_votes(votes);
     votes[sets[0]] = 0;
     sets[1] = most_votes(votes);
