@@ -15,8 +15,8 @@ extern "C" {
 
 /* ---- Textures ---- */
 
-/* The uses of a texture. COLOR, SPECULAR and EMISSIVE contain colours (sRGB), the others
- * numbers. */
+/* The uses of a texture. COLOR, SPECULAR, EMISSIVE and SHEEN_COLOR contain colours (sRGB), the
+ * others numbers. */
 typedef enum burnish_texture_slot {
     BURNISH_TEXTURE_COLOR,              /* multiplies ambient and diffuse, or the base colour; for
                                            alpha see alpha_mode */
@@ -27,6 +27,8 @@ typedef enum burnish_texture_slot {
     BURNISH_TEXTURE_EMISSIVE,           /* rgb multiplies emissive */
     BURNISH_TEXTURE_OCCLUSION,          /* r multiplies the ambient light */
     BURNISH_TEXTURE_OPACITY,            /* r multiplies the opacity */
+    BURNISH_TEXTURE_SHEEN_COLOR,        /* rgb multiplies sheen */
+    BURNISH_TEXTURE_SHEEN_ROUGHNESS,    /* r multiplies sheen_roughness */
     BURNISH_TEXTURE_COAT,               /* r multiplies coat */
     BURNISH_TEXTURE_COAT_ROUGHNESS,     /* g multiplies coat_roughness */
     BURNISH_TEXTURE_COAT_NORMAL,        /* as NORMAL, for the coat, which ignores NORMAL */
@@ -91,6 +93,10 @@ typedef struct burnish_material {
     float metallic, roughness; /* [0, 1] */
     float reflectance[3];      /* of a dielectric at normal incidence: 0.04 for an index of
                                   refraction of 1.5 */
+
+    /* Sheen of textiles over all of the above, as KHR_materials_sheen of glTF has it: a colour; 0, 0, 0:
+     * none. [0, 1]; a roughness below 0.1 counts as 0.1 */
+    float sheen[3], sheen_roughness;
 
     /* A clear coat over all of the above: it reflects as a metallic-roughness material of
      * reflectance 0.04 and this roughness does, times `coat`, and takes coat F of the light below

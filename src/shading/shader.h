@@ -106,6 +106,14 @@ typedef struct burnish_reflecting_points {
     const float *near_diffuse[3], *near_specular[3]; /* light of near lights: added to D and Spec */
 } burnish_reflecting_points;
 
+/* Sheen (sheen_simd.h) of points. Arrays may be NULL. */
+typedef struct burnish_sheen_points {
+    float color[3], roughness;
+    const float *each[4]; /* factors of color and roughness */
+    const float *wide[3]; /* light from many directions, as white has it */
+    const float *open;    /* share of the light from many directions that arrives */
+} burnish_sheen_points;
+
 /* ---- Folding ---- */
 
 /* Fills *constants, and *scale with the value at the peak. Returns OK or ARGUMENT, with a line. */

@@ -6,6 +6,7 @@
 #include "shading/polygon_simd.h"
 #include "shading/shade_simd.h"
 #include "shading/shading_ops.h"
+#include "shading/sheen_simd.h"
 #include "simd/isa.h"
 
 #define LOBE_FUNCTIONS(name, body)                                                                 \
@@ -72,6 +73,7 @@ const burnish_shading_ops BURNISH_ISA_TABLE(burnish_shading_ops, VECTOR_WORD) = 
                     [BURNISH_LOBE_BODY_COMPOSITE] = {mixed_composite, mixed_composite_alike}},
     .add_environment = add_environment,
     .reflect_points = reflect_points,
+    .lay_sheen = lay_sheen,
     .polygon_light = polygon_light,
     .normalize_array = normalize_array,
 };

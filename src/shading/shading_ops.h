@@ -57,6 +57,12 @@ struct burnish_kernels {
                            const burnish_kernels_points *points, const float *roughness,
                            size_t count, float *const axis[3], float *const stretch[3]);
 
+    /* Scales the colours of count points by what sheen leaves of the light below it, and adds its own.
+     *   white  with the frame's lights
+     * Reads and writes whole vectors. */
+    void (*lay_sheen)(const burnish_kernels_shader *white, const burnish_sheen_points *sheen,
+                      const burnish_kernels_points *points, size_t count, float *const rgb[3]);
+
     /* The light of a polygon, as burnish_kernels_polygon_light() of burnish/kernels.h says. axes: not
      * NULL. */
     void (*polygon_light)(const burnish_polygon_constants *polygon,

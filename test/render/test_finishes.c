@@ -9,59 +9,37 @@ static const vec toward_viewer = {0, 0, 1};
 
 static float plain[SIDE][SIDE][4];
 
-/* Two directions at right angles to the normal. */
-static void make_frame(const vec normal, vec x, vec y) {
-    cross(normal, fabs(normal[0]) < 0.6 ? (vec){1, 0, 0} : (vec){0, 1, 0}, x);
-    normalize(x);
-    cross(normal, x, y);
-}
-
-static double schlick(double f0, double cosine) {
-    return f0 + (1 - f0) * pow(1 - fmin(fmax(cosine, 0), 1), 5);
-}
-
 /* ---- Coats ---- */
 
-/* GGX of the directional light, whose colour lights white to 1. */
-static double coat_direct(const vec normal, double alpha) {
-    const double to_v = dot(normal, toward_viewer), to_l = dot(normal, toward_light);
-    const double a = alpha * alpha;
-    vec h;
-    for (int k = 0; k < 3; ++k) {
-        h[k] = toward_light[k] + toward_viewer[k];
-    }
+/* GGX in the directional light, whose colour lights white to 1. N is z. */
+static double coat_direct(const vec v, const vec l, double a) {
+    vec h = {v[0] + l[0], v[1] + l[1], v[2] + l[2]};
     normalize(h);
-    const double to_h = dot(normal, h), d = to_h * to_h * (a - 1) + 1;
-    if (!(to_l > 0 && to_v > 0)) {
-        return 0;
-    }
-    const double v = to_l * sqrt(to_v * to_v * (1 - a) + a),
-                 w = to_v * sqrt(to_l * to_l * (1 - a) + a);
-    return schlick(0.04, dot(h, toward_viewer)) * a / (d * d) * 0.5 / (v + w) * to_l;
+    const double d = h[2] * h[2] * (a - 1) + 1;
+    const double visible =
+        l[2] * sqrt(v[2] * v[2] * (1 - a) + a) + v[2] * sqrt(l[2] * l[2] * (1 - a) + a);
+    return l[2] > 0 ? schlick(0.04, dot(h, v)) * a / (d * d) * 0.5 / visible * l[2] : 0;
 }
 
 /* What a whole coat reflects. */
 static double coat_light(int light, const vec position, const vec normal, double roughness) {
     const double alpha = fmax(roughness * roughness, 1e-3);
     double sum = 0;
-    vec x, y;
+    vec axes[3], v, m, l;
+    make_frame(normal, toward_light, axes, l);
+    make_frame(normal, toward_viewer, axes, v);
     if (light == DIRECT) {
-        return coat_direct(normal, alpha);
+        return coat_direct(v, l, alpha * alpha);
     }
-    make_frame(normal, x, y);
-    const vec v = {dot(toward_viewer, x), dot(toward_viewer, y), dot(toward_viewer, normal)};
     for (int i = 0; i < STEPS * STEPS; ++i) {
-        vec m, w;
         visible_normal(v, alpha, (i / STEPS + drawn()) / STEPS, (i % STEPS + drawn()) / STEPS, m);
         const double cosine = dot(v, m);
-        const vec l = {2 * cosine * m[0] - v[0], 2 * cosine * m[1] - v[1],
-                       2 * cosine * m[2] - v[2]};
         for (int k = 0; k < 3; ++k) {
-            w[k] = l[0] * x[k] + l[1] * y[k] + l[2] * normal[k];
+            l[k] = 2 * cosine * m[k] - v[k];
         }
         if (l[2] > 0) {
             const double to_v = 1 + smith(v, alpha), share = to_v / (to_v + smith(l, alpha));
-            sum += schlick(0.04, cosine) * share * radiance(light, position, w);
+            sum += schlick(0.04, cosine) * share * local_radiance(light, position, axes, l);
         }
     }
     return sum / (STEPS * STEPS);
@@ -89,70 +67,105 @@ static burnish_material base_material(void) {
     return material;
 }
 
-typedef double layer_function(int light, const vec position, const vec normal, double roughness,
-                              double *below);
+/* ---- Sheen: Charlie's distribution, visibility of Ashikhmin and Premoze ---- */
 
-static double coat_layer(int light, const vec position, const vec normal, double roughness,
-                         double *below) {
-    *below = 1 - 0.8 * schlick(0.04, dot(normal, toward_viewer));
-    return 0.8 * coat_light(light, position, normal, roughness);
+static double sheen_value(const vec v, const vec l, double alpha) {
+    vec h = {v[0] + l[0], v[1] + l[1], v[2] + l[2]};
+    normalize(h);
+    const double d = (2 + 1 / alpha) * pow(fmax(1 - h[2] * h[2], 0), 0.5 / alpha) / (2 * M_PI);
+    return d / (4 * (v[2] + l[2] - v[2] * l[2])) * l[2];
+}
+
+/* What white sheen reflects, and its albedo. Above an albedo of 1, which this visibility has near
+ * the edge, light from many directions is scaled to it. */
+static double sheen_light(int light, const vec position, const vec normal, double roughness,
+                          double *albedo) {
+    const double alpha = roughness * roughness;
+    double sum = 0;
+    vec axes[3], v, to_light;
+    make_frame(normal, toward_light, axes, to_light);
+    make_frame(normal, toward_viewer, axes, v);
+    *albedo = 0;
+    for (int i = 0; i < STEPS * STEPS; ++i) {
+        const double z = (i / STEPS + drawn()) / STEPS, s = sqrt(1 - z * z);
+        const double turn = 2 * M_PI * (i % STEPS + drawn()) / STEPS;
+        const vec l = {s * cos(turn), s * sin(turn), z};
+        const double value = 2 * M_PI * sheen_value(v, l, alpha) / (STEPS * STEPS);
+        *albedo += value;
+        sum += light == DIRECT ? 0 : value * local_radiance(light, position, axes, l);
+    }
+    if (light == DIRECT && to_light[2] > 0) {
+        sum = M_PI * sheen_value(v, to_light, alpha) * fmax(*albedo, 1);
+    }
+    sum /= fmax(*albedo, 1);
+    *albedo = fmin(*albedo, 1);
+    return sum;
+}
+
+/* What a layer reflects, and what it leaves of the light below it. */
+static double layer_light(const burnish_material *layered, int light, const vec position,
+                          const vec normal, double *below) {
+    const double coat = (double)layered->coat, sheen = (double)layered->sheen[0];
+    double albedo;
+    if (coat > 0) {
+        *below = 1 - coat * schlick(0.04, dot(normal, toward_viewer));
+        return coat * coat_light(light, position, normal, (double)layered->coat_roughness);
+    }
+    const double all =
+        sheen_light(light, position, normal, (double)layered->sheen_roughness, &albedo);
+    *below = 1 - sheen * albedo;
+    return sheen * all;
 }
 
 /* Draws a mesh without and with a layer; errors of the second picture, and of the first. */
 static void compare_layer(burnish_mesh *mesh, const burnish_render_options *options, int light,
-                          const burnish_material *layered, layer_function *layer, errors e[2]) {
+                          const burnish_material *layered, errors e[2]) {
     const burnish_material base = base_material();
-    const burnish_target target = make_target(floats_of(picture.rgba[0][0], SIDE, SIDE),
-                                              picture.depth[0], picture.normal[0][0], NULL, NULL);
-    const double roughness = (double)layered->coat_roughness;
     set_material(mesh, &base);
     draw_floats(mesh, options, plain[0][0], NULL);
     set_material(mesh, layered);
-    draw_into(mesh, options, &target, NULL);
+    draw_shape(mesh, options);
     for (int i = 3; i < SIDE * SIDE; i += 877) {
         const int x = i % SIDE, y = i / SIDE;
-        vec position = {((x + 0.5) / SIDE - 0.5) * 2.2, (0.5 - (y + 0.5) / SIDE) * 2.2, 0}, normal;
-        if (!isfinite(picture.depth[y][x])) {
+        vec position, normal;
+        double below;
+        if (!find_surface(x, y, position, normal)) {
             continue;
         }
-        position[2] = 4 - (double)picture.depth[y][x];
-        for (int k = 0; k < 3; ++k) {
-            normal[k] = (double)picture.normal[y][x][k];
-        }
-        double below;
-        const double own = layer(light, position, normal, roughness, &below);
+        const double own = layer_light(layered, light, position, normal, &below);
         for (int k = 0; k < 3; ++k) {
             const double before = (double)plain[y][x][k], should = before * below + own;
-            for (int j = 0; j < 2; ++j) {
-                const double d = srgb(j ? before : (double)picture.rgba[y][x][k]) - srgb(should);
-                e[j].squares += d * d;
-                e[j].sum += d;
-                ++e[j].count;
-            }
+            add_error(&e[0], (double)picture.rgba[y][x][k], should);
+            add_error(&e[1], before, should);
         }
     }
 }
 
-static void test_coat(burnish_mesh *const meshes[SHAPES], int light,
-                      burnish_environment *environment) {
-    static const float roughnesses[] = {0, 0.1f, 0.3f, 0.6f};
+/* One kind of layer, of four roughnesses, each with the most that its errors may be. A coat of
+ * roughness 0 under a directional light has a highlight within a pixel. */
+static void test_layer(burnish_mesh *const meshes[SHAPES], int light, int is_sheen,
+                       burnish_environment *environment) {
+    static const float roughnesses[2][4] = {{0, 0.1f, 0.3f, 0.6f}, {0.2f, 0.4f, 0.7f, 1}};
+    static const double most[2][2][4] = {{{3, 1.5, 0.5, 1}, {6, 8, 4.5, 3}},
+                                         {{255, 4, 2, 4}, {0.3, 0.3, 0.3, 0.3}}};
     const burnish_render_options options = scene_options(light, environment);
-    for (int i = light == DIRECT; i < 4; ++i) { /* a smooth coat's highlight is within a pixel */
+    for (int i = 0; i < 4; ++i) {
         errors e[2] = {{0}};
-        burnish_material coated = base_material();
-        coated.coat = 0.8f;
-        coated.coat_roughness = roughnesses[i];
+        burnish_material layered = base_material();
+        layered.coat = is_sheen ? 0 : 0.8f;
+        set_three(layered.sheen, is_sheen ? 0.6f : 0);
+        layered.coat_roughness = layered.sheen_roughness = roughnesses[is_sheen][i];
         for (int shape = 0; shape < SHAPES; ++shape) {
-            compare_layer(meshes[shape], &options, light, &coated, coat_layer, e);
+            compare_layer(meshes[shape], &options, light, &layered, e);
         }
         const double rms = sqrt(e[0].squares / e[0].count), bias = e[0].sum / e[0].count;
         const double without = sqrt(e[1].squares / e[1].count);
-        printf("  coat, light %d, roughness %.1f: RMS %.1f, bias %+.1f of 255; without %.1f\n",
-               light, (double)roughnesses[i], rms, bias, without);
-        CHECK(e[0].count > 300 && rms < (light == DIRECT ? 4 : 3) && fabs(bias) < 3 &&
-                  rms < (light == DIRECT ? 0.7 : 0.35) * without,
-              "light %d, roughness %g: %g, %g, %g", light, (double)roughnesses[i], rms, bias,
-              without);
+        printf("  %s, light %d, roughness %.1f: RMS %.1f, bias %+.1f of 255; without %.1f\n",
+               is_sheen ? "sheen" : "coat", light, (double)roughnesses[is_sheen][i], rms, bias,
+               without);
+        CHECK(e[0].count > 300 && rms < most[light == DIRECT][is_sheen][i] && fabs(bias) < 5 &&
+                  rms < 0.9 * without,
+              "sheen %d, light %d, case %d: %g, %g, %g", is_sheen, light, i, rms, bias, without);
     }
 }
 
@@ -163,14 +176,14 @@ enum { PIXELS = 40 };
 static void draw_quad(const burnish_material *material, float light[PIXELS][PIXELS][4]) {
     static const float corners[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
     static const float coordinates[] = {0, 0, 1, 0, 1, 1, 0, 1};
-    static const uint8_t texels[3][4] = {
-        {128, 200, 0, 255}, {87, 165, 242, 255}, {200, 90, 220, 255}};
-    burnish_texture textures[3];
-    for (int i = 0; i < 3; ++i) {
+    static const uint8_t texels[4][4] = {
+        {128, 200, 0, 255}, {87, 165, 242, 255}, {200, 90, 220, 255}, {128, 128, 128, 255}};
+    burnish_texture textures[4];
+    for (int i = 0; i < 4; ++i) {
         textures[i] = (burnish_texture){NULL, 1, 1, texels[i], 0};
     }
     burnish_mesh_description arrays = describe_quads(corners, NULL, 1);
-    give_textures(&arrays, coordinates, textures, 3);
+    give_textures(&arrays, coordinates, textures, 4);
     give_materials(&arrays, material, 1);
     OWNED_MESH *mesh = create_mesh(&arrays, NULL);
     burnish_render_options options = front_options(PIXELS, PIXELS, 2);
@@ -196,10 +209,12 @@ static double differ(const burnish_material *a, const burnish_material *b, doubl
     return difference;
 }
 
-/* Textures of a coat multiply its numbers, and its normals are the texture's alone. */
-static void test_coat_textures(void) {
-    const burnish_texture_use uses[3] = {
-        {.texture = 1}, {.texture = 2, .strength = 1}, {.texture = 3, .strength = 1}};
+/* Textures of layers multiply their numbers, and a coat's normals are its texture's alone. */
+static void test_layer_textures(void) {
+    const burnish_texture_use uses[4] = {{.texture = 1},
+                                         {.texture = 2, .strength = 1},
+                                         {.texture = 3, .strength = 1},
+                                         {.texture = 4}};
     burnish_material numbers = base_material(), textured = base_material();
     double most;
     numbers.coat = 128.0f / 255;
@@ -208,6 +223,15 @@ static void test_coat_textures(void) {
     textured.coat_roughness = 0.5f;
     textured.textures[BURNISH_TEXTURE_COAT] = uses[0];
     textured.textures[BURNISH_TEXTURE_COAT_ROUGHNESS] = uses[0];
+    CHECK1(differ(&numbers, &textured, &most) < 3e-4 && most > 0.1);
+
+    numbers.coat = textured.coat = 0;
+    set_three(numbers.sheen, 0.6f * 128 / 255);
+    set_three(textured.sheen, 0.6f);
+    numbers.sheen_roughness = 0.8f * 87 / 255;
+    textured.sheen_roughness = 0.8f;
+    textured.textures[BURNISH_TEXTURE_SHEEN_COLOR] = uses[3];
+    textured.textures[BURNISH_TEXTURE_SHEEN_ROUGHNESS] = uses[1];
     CHECK1(differ(&numbers, &textured, &most) < 3e-4 && most > 0.1);
 
     burnish_material plastic = base_material(), coated = base_material();
@@ -226,25 +250,16 @@ static void test_coat_textures(void) {
 }
 
 int main(int count, char **arguments) {
-    static float rgb[ROWS][COLUMNS][3];
-    static const float corners[] = {-1, -0.8f, 0.9f,  1,  -0.8f, 0.9f,
-                                    1,  0.7f,  -0.9f, -1, 0.7f,  -0.9f};
-    burnish_environment *environment;
-    burnish_error error;
+    burnish_mesh *meshes[SHAPES];
     test_begin(count, arguments, NULL);
     seed = test_seed(6);
-    furnish();
-    for (int i = 0; i < ROWS * COLUMNS; ++i) {
-        set_three(rgb[i / COLUMNS][i % COLUMNS], room[i / COLUMNS][i % COLUMNS]);
-    }
-    CHECK_OK(burnish_environment_create(NULL, COLUMNS, ROWS, rgb[0][0], &environment, &error),
-             error);
-    burnish_mesh *meshes[SHAPES] = {load_tessellated(":sphere", 64),
-                                    create_quads(corners, NULL, 1)};
+    burnish_environment *environment = make_room();
+    make_shapes(meshes);
     for (int light = 0; light <= DIRECT; ++light) {
-        RUN(test_coat(meshes, light, environment));
+        RUN(test_layer(meshes, light, 0, environment));
+        RUN(test_layer(meshes, light, 1, environment));
     }
-    RUN(test_coat_textures());
+    RUN(test_layer_textures());
     burnish_environment_destroy(environment);
     for (int i = 0; i < SHAPES; ++i) {
         burnish_mesh_destroy(meshes[i]);

@@ -65,7 +65,8 @@ static burnish_material random_material(int textures) {
     material.roughness = (float)uniform(0, 1);
     material.metallic = (float)uniform(0, 1);
     material.coat = chance(20) ? (float)uniform(0, 1) : 0;
-    material.coat_roughness = (float)uniform(0, 1);
+    material.coat_roughness = material.sheen_roughness = (float)uniform(0, 1);
+    material.sheen[1] = chance(10) ? (float)uniform(0, 1) : 0;
     material.is_unlit = chance(10);
     material.transparency = one_of(transparencies, 6);
     material.alpha_mode = (burnish_alpha_mode)below(3);

@@ -35,7 +35,7 @@ static double walk(const vec v, double alpha, double f0, double a, double b, vec
         const vec back = {-ray[0], -ray[1], -ray[2]};
         visible_normal(back, alpha, i > 0 ? drawn() : a, i > 0 ? drawn() : b, m);
         const double cosine = dot(back, m);
-        share *= f0 + (1 - f0) * pow(1 - fmin(fmax(cosine, 0), 1), 5);
+        share *= schlick(f0, cosine);
         for (int k = 0; k < 3; ++k) {
             ray[k] += 2 * cosine * m[k];
         }
@@ -49,27 +49,17 @@ static double walk(const vec v, double alpha, double f0, double a, double b, vec
 static double reference(int light, const vec position, const vec normal, const vec v, double f0,
                         double alpha) {
     double shares = 0, specular = 0, diffuse = 0;
-    vec x, y, to_viewer;
-    cross(normal, fabs(normal[0]) < 0.6 ? (vec){1, 0, 0} : (vec){0, 1, 0}, x);
-    normalize(x);
-    cross(normal, x, y);
-    to_viewer[0] = dot(v, x);
-    to_viewer[1] = dot(v, y);
-    to_viewer[2] = dot(v, normal);
+    vec axes[3], to_viewer;
+    make_frame(normal, v, axes, to_viewer);
     for (int i = 0; i < STEPS * STEPS; ++i) {
         const double a = (i / STEPS + drawn()) / STEPS, b = (i % STEPS + drawn()) / STEPS;
         const double flat = sqrt(a), turn = 2 * M_PI * b;
-        vec local, w;
+        vec local;
         const double share = walk(to_viewer, alpha, f0, a, b, local);
-        for (int k = 0; k < 3; ++k) {
-            w[k] = local[0] * x[k] + local[1] * y[k] + local[2] * normal[k];
-        }
         shares += share;
-        specular += share > 0 ? share * radiance(light, position, w) : 0;
-        for (int k = 0; k < 3; ++k) {
-            w[k] = flat * (cos(turn) * x[k] + sin(turn) * y[k]) + sqrt(1 - a) * normal[k];
-        }
-        diffuse += radiance(light, position, w);
+        specular += share > 0 ? share * local_radiance(light, position, axes, local) : 0;
+        const vec around = {flat * cos(turn), flat * sin(turn), sqrt(1 - a)};
+        diffuse += local_radiance(light, position, axes, around);
     }
     const double count = STEPS * STEPS;
     return (specular + (1 - shares / count) * diffuse) / count;
@@ -79,22 +69,12 @@ static double reference(int light, const vec position, const vec normal, const v
 static void compare(int light, double f0, double roughness, errors *e) {
     for (int i = 3; i < SIDE * SIDE; i += 877) {
         const int x = i % SIDE, y = i / SIDE;
-        vec position = {((x + 0.5) / SIDE - 0.5) * 2.2, (0.5 - (y + 0.5) / SIDE) * 2.2, 0};
-        vec normal;
-        if (!isfinite(picture.depth[y][x])) {
-            continue;
+        vec position, normal;
+        if (find_surface(x, y, position, normal)) {
+            const double alpha = fmax(roughness * roughness, 1e-4);
+            add_error(e, (double)picture.rgba[y][x][0],
+                      reference(light, position, normal, (vec){0, 0, 1}, f0, alpha));
         }
-        position[2] = 4 - (double)picture.depth[y][x];
-        for (int k = 0; k < 3; ++k) {
-            normal[k] = (double)picture.normal[y][x][k];
-        }
-        const double should = reference(light, position, normal, (vec){0, 0, 1}, f0,
-                                        fmax(roughness * roughness, 1e-4));
-        const double d = srgb((double)picture.rgba[y][x][0]) - srgb(should);
-        e->squares += d * d;
-        e->sizes[e->count] = fabs(d);
-        e->sum += d;
-        ++e->count;
     }
 }
 
@@ -113,11 +93,8 @@ static void test_light(burnish_mesh *const meshes[SHAPES], int light, double mos
         const int is_metal = i / 4;
         errors e = {0};
         for (int shape = 0; shape < SHAPES; ++shape) {
-            const burnish_target target =
-                make_target(floats_of(picture.rgba[0][0], SIDE, SIDE), picture.depth[0],
-                            picture.normal[0][0], NULL, NULL);
             set_metal(meshes[shape], (float)is_metal, roughness);
-            draw_into(meshes[shape], &options, &target, NULL);
+            draw_shape(meshes[shape], &options);
             compare(light, is_metal ? 1 : 0.04, (double)roughness, &e);
         }
         const double rms = sqrt(e.squares / e.count), bias = e.sum / e.count;
@@ -189,21 +166,11 @@ static void test_albedo(void) {
 }
 
 int main(int count, char **arguments) {
-    static float rgb[ROWS][COLUMNS][3];
-    static const float corners[] = {-1, -0.8f, 0.9f,  1,  -0.8f, 0.9f,
-                                    1,  0.7f,  -0.9f, -1, 0.7f,  -0.9f};
-    burnish_environment *environment;
-    burnish_error error;
+    burnish_mesh *meshes[SHAPES];
     test_begin(count, arguments, NULL);
     seed = test_seed(5);
-    furnish();
-    for (int i = 0; i < ROWS * COLUMNS; ++i) {
-        set_three(rgb[i / COLUMNS][i % COLUMNS], room[i / COLUMNS][i % COLUMNS]);
-    }
-    CHECK_OK(burnish_environment_create(NULL, COLUMNS, ROWS, rgb[0][0], &environment, &error),
-             error);
-    burnish_mesh *meshes[SHAPES] = {load_tessellated(":sphere", 64),
-                                    create_quads(corners, NULL, 1)};
+    burnish_environment *environment = make_room();
+    make_shapes(meshes);
     RUN(test_albedo());
     for (int light = 0; light < LIGHTS; ++light) {
         RUN(test_light(meshes, light, 6.5, environment));

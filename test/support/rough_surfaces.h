@@ -42,6 +42,10 @@ static inline void visible_normal(const vec w, double alpha, double a, double b,
     normalize(m);
 }
 
+static inline double schlick(double f0, double cosine) {
+    return f0 + (1 - f0) * pow(1 - fmin(fmax(cosine, 0), 1), 5);
+}
+
 /* ---- Lights ---- */
 
 static const burnish_area_light areas[2] = {
@@ -51,15 +55,6 @@ static const burnish_area_light areas[2] = {
 
 /* A dark room with a window and a lamp. */
 static float room[ROWS][COLUMNS];
-
-static inline void furnish(void) {
-    for (int i = 0; i < ROWS * COLUMNS; ++i) {
-        const int x = i % COLUMNS, y = i / COLUMNS;
-        const int is_window = x >= 78 && x < 98 && y >= 12 && y < 30;
-        const int is_lamp = x >= 112 && x < 118 && y >= 20 && y < 26;
-        room[y][x] = is_window ? 8 : is_lamp ? 18 : 0.03f + 0.02f * (float)y / ROWS;
-    }
-}
 
 /* What comes from direction w to a point. */
 static inline double radiance(int light, const vec position, const vec w) {
@@ -85,7 +80,71 @@ static inline double radiance(int light, const vec position, const vec w) {
                : 0;
 }
 
-/* ---- Pixels ---- */
+/* The room as an environment. */
+static inline burnish_environment *make_room(void) {
+    static float rgb[ROWS][COLUMNS][3];
+    burnish_environment *environment;
+    burnish_error error;
+    for (int i = 0; i < ROWS * COLUMNS; ++i) {
+        const int x = i % COLUMNS, y = i / COLUMNS;
+        const int is_window = x >= 78 && x < 98 && y >= 12 && y < 30;
+        const int is_lamp = x >= 112 && x < 118 && y >= 20 && y < 26;
+        room[y][x] = is_window ? 8 : is_lamp ? 18 : 0.03f + 0.02f * (float)y / ROWS;
+        set_three(rgb[y][x], room[y][x]);
+    }
+    CHECK_OK(burnish_environment_create(NULL, COLUMNS, ROWS, rgb[0][0], &environment, &error),
+             error);
+    return environment;
+}
+
+/* ---- Shapes and their pixels ---- */
+
+/* A sphere and a tilted square. */
+static inline void make_shapes(burnish_mesh *meshes[SHAPES]) {
+    static const float corners[] = {-1, -0.8f, 0.9f,  1,  -0.8f, 0.9f,
+                                    1,  0.7f,  -0.9f, -1, 0.7f,  -0.9f};
+    meshes[0] = load_tessellated(":sphere", 64);
+    meshes[1] = create_quads(corners, NULL, 1);
+}
+
+static inline void draw_shape(const burnish_mesh *mesh, const burnish_render_options *options) {
+    const burnish_target target = make_target(floats_of(picture.rgba[0][0], SIDE, SIDE),
+                                              picture.depth[0], picture.normal[0][0], NULL, NULL);
+    draw_into(mesh, options, &target, NULL);
+}
+
+/* What a pixel shows; returns 0 for the background. */
+static inline int find_surface(int x, int y, vec position, vec normal) {
+    position[0] = ((x + 0.5) / SIDE - 0.5) * 2.2;
+    position[1] = (0.5 - (y + 0.5) / SIDE) * 2.2;
+    position[2] = 4 - (double)picture.depth[y][x];
+    for (int k = 0; k < 3; ++k) {
+        normal[k] = (double)picture.normal[y][x][k];
+    }
+    return isfinite(picture.depth[y][x]);
+}
+
+/* Axes of a surface, the last of which is its normal, and v along them. */
+static inline void make_frame(const vec normal, const vec v, vec axes[3], vec local) {
+    cross(normal, fabs(normal[0]) < 0.6 ? (vec){1, 0, 0} : (vec){0, 1, 0}, axes[0]);
+    normalize(axes[0]);
+    cross(normal, axes[0], axes[1]);
+    for (int k = 0; k < 3; ++k) {
+        axes[2][k] = normal[k];
+    }
+    for (int k = 0; k < 3; ++k) {
+        local[k] = dot(v, axes[k]);
+    }
+}
+
+/* What comes to a point along a direction in terms of the axes. */
+static inline double local_radiance(int light, const vec position, vec axes[3], const vec local) {
+    vec w;
+    for (int k = 0; k < 3; ++k) {
+        w[k] = local[0] * axes[0][k] + local[1] * axes[1][k] + local[2] * axes[2][k];
+    }
+    return radiance(light, position, w);
+}
 
 static inline double srgb(double x) {
     const double c = fmin(fmax(x, 0), 1);
@@ -108,9 +167,19 @@ static inline burnish_render_options options_for(int light, burnish_environment 
     return options;
 }
 
+enum { ERRORS_MOST = 1024 };
 typedef struct errors {
-    double squares, sum, sizes[SHAPES * SIDE * SIDE / 877 + SHAPES];
+    double squares, sum, sizes[ERRORS_MOST];
     int count;
 } errors;
+
+/* Adds a difference in 8-bit codes. */
+static inline void add_error(errors *e, double value, double should) {
+    const double d = srgb(value) - srgb(should);
+    e->squares += d * d;
+    e->sizes[e->count % ERRORS_MOST] = fabs(d);
+    e->sum += d;
+    ++e->count;
+}
 
 #endif

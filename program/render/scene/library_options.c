@@ -50,6 +50,11 @@ static int has_wide_light(const render_shading_settings *shading) {
                                   : shading->look == BURNISH_LOOK_STUDIO);
 }
 
+static void drop_layers(burnish_material *material) {
+    memset(material->sheen, 0, sizeof material->sheen);
+    material->coat = 0;
+}
+
 static void apply_preset(const render_preset *preset, int is_wide, burnish_material *material) {
     if (is_wide) { /* the roughness of a texture, too, would be another material */
         material->metallic = preset->metallic;
@@ -69,7 +74,7 @@ static void apply_preset(const render_preset *preset, int is_wide, burnish_mater
     }
     material->exponent = preset->exponent;
     material->has_exponent = 1;
-    material->coat = 0;
+    drop_layers(material);
 }
 
 /* One material, changed by the flags. */
@@ -88,7 +93,9 @@ static burnish_material adjusted_material(const render_shading_settings *shading
     if (shading->specular.given || shading->exponent.given) {
         render_make_phong(&material);
     }
-    material.coat = shading->specular.given ? 0 : material.coat;
+    if (shading->specular.given) {
+        drop_layers(&material);
+    }
     for (int k = 0; k < 3 && shading->specular.given; ++k) {
         material.specular[k] = (float)shading->specular.value;
     }
@@ -122,8 +129,8 @@ static int is_black(const burnish_material *material, float least) {
         is_textured |= material->textures[i].texture != 0;
     }
     return material->has_diffuse && !material->is_unlit && !is_textured && material->coat == 0 &&
-           largest_of(material->emissive) == 0 && largest_of(material->diffuse) < least &&
-           specular < least && reflectance < least;
+           largest_of(material->sheen) == 0 && largest_of(material->emissive) == 0 &&
+           largest_of(material->diffuse) < least && specular < least && reflectance < least;
 }
 
 /* Whether a file states that nothing of it reflects light, as exporters do by mistake. */

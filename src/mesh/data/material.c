@@ -47,8 +47,9 @@ const burnish_texture *burnish_mesh_get_texture(const burnish_mesh *mesh, size_t
 /* ---- Checks ---- */
 
 static const char *const slot_names[BURNISH_TEXTURE_SLOT_COUNT] = {
-    "color",     "specular", "exponent", "metallic_roughness", "normal",     "emissive",
-    "occlusion", "opacity",  "coat",     "coat_roughness",     "coat_normal"};
+    "color",    "specular",       "exponent",   "metallic_roughness", "normal",
+    "emissive", "occlusion",      "opacity",    "sheen_color",        "sheen_roughness",
+    "coat",     "coat_roughness", "coat_normal"};
 
 static burnish_status check_use(const burnish_texture_use *use, int slot, size_t texture_count,
                                 const char *name, burnish_error *error) {
@@ -67,7 +68,7 @@ static burnish_status check_use(const burnish_texture_use *use, int slot, size_t
                             "%s: textures[%s].wrap is %d, %d; expected 0 to %d", name,
                             slot_names[slot], use->wrap[0], use->wrap[1], BURNISH_WRAP_MIRROR);
     }
-    const int has_tangents = burnish_is_normal_slot(slot);
+    const int has_tangents = slot == BURNISH_TEXTURE_NORMAL || slot == BURNISH_TEXTURE_COAT_NORMAL;
     if ((unsigned)use->coordinates > (has_tangents ? 0u : 1u)) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "%s: textures[%s].coordinates is %d; expected 0%s", name,
@@ -90,7 +91,8 @@ burnish_status burnish_check_material(const burnish_material *material, size_t t
     } colors[] = {{"ambient", material->ambient},
                   {"diffuse", material->diffuse},
                   {"specular", material->specular},
-                  {"reflectance", material->reflectance}};
+                  {"reflectance", material->reflectance},
+                  {"sheen", material->sheen}};
     const struct {
         const char *word;
         float value, least, most;
@@ -101,11 +103,12 @@ burnish_status burnish_check_material(const burnish_material *material, size_t t
                    {"transparency", material->transparency, 0, 1},
                    {"metallic", material->metallic, 0, 1},
                    {"roughness", material->roughness, 0, 1},
+                   {"sheen_roughness", material->sheen_roughness, 0, 1},
                    {"coat", material->coat, 0, 1},
                    {"coat_roughness", material->coat_roughness, 0, 1},
                    {"alpha_cutoff", material->alpha_cutoff, 0, 1},
                    {"alpha_mode", (float)material->alpha_mode, 0, BURNISH_ALPHA_BLEND}};
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < 15; ++i) {
         const float value = colors[i / 3].values[i % 3];
         if (!(value >= 0 && value <= 1)) {
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: %s[%d] is %g, not in [0, 1]",

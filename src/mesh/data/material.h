@@ -19,11 +19,6 @@ int burnish_mesh_data_add_texture(burnish_mesh_data *mesh, const char *name, int
 burnish_status burnish_check_material(const burnish_material *material, size_t texture_count,
                                       const char *name, burnish_error *error);
 
-/* Whether a slot's texture turns normals, for which the mesh needs tangents. */
-static inline int burnish_is_normal_slot(int slot) {
-    return slot == BURNISH_TEXTURE_NORMAL || slot == BURNISH_TEXTURE_COAT_NORMAL;
-}
-
 /* Whether a material uses any texture. */
 static inline int burnish_material_has_textures(const burnish_material *material) {
     int any = 0;

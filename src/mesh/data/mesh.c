@@ -314,9 +314,9 @@ static burnish_status check_attributes(const burnish_mesh_view *view,
                                 "second_coordinates; make it with such a material");
         }
     }
-    const int has_normals = material->textures[BURNISH_TEXTURE_NORMAL].texture ||
-                            material->textures[BURNISH_TEXTURE_COAT_NORMAL].texture;
-    if (has_normals && !view->tangents) {
+    if ((material->textures[BURNISH_TEXTURE_NORMAL].texture ||
+         material->textures[BURNISH_TEXTURE_COAT_NORMAL].texture) &&
+        !view->tangents) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "material: uses a normal texture, but the mesh has no tangents; make "
                             "it with such a material");

@@ -402,7 +402,7 @@ static void make_shading(const burnish_kernels_lighting *lighting,
     shading->shaders = shaders->items;
     shading->white = &shaders->items[count + mesh->coat_count];
     shading->mixed_body =
-        mesh->coat_count > 0 ? BURNISH_LOBE_BODY_NONE : mixed_body(shaders->items, count);
+        shading->layers ? BURNISH_LOBE_BODY_NONE : mixed_body(shaders->items, count);
     shading->is_alike =
         shading->mixed_body != BURNISH_LOBE_BODY_NONE && are_alike(shaders->items, count);
     shading->needs_position = lighting->local_viewer || options->occlusion != 0 || options->shadow;

@@ -209,6 +209,7 @@ burnish_status burnish_look_set_materials(burnish_look name, burnish_mesh *mesh,
         }
         memset(material.textures, 0, sizeof material.textures);
         memset(material.emissive, 0, sizeof material.emissive);
+        memset(material.sheen, 0, sizeof material.sheen);
         material.is_metallic = material.is_unlit = material.has_exponent = 0;
         material.metallic = material.coat = 0;
         material.roughness = wanted->roughness;

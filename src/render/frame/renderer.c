@@ -33,7 +33,7 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
         burnish_texturing_destroy(&renderer->texturing, context);
         burnish_area_destroy(&renderer->area, context);
         burnish_geometry_destroy(&renderer->geometry);
-        burnish_coats_destroy(&renderer->coats, context);
+        burnish_layering_destroy(&renderer->layering, context);
         burnish_release(context, renderer->shaders.items);
         burnish_release(context, renderer->shaders.lights);
         burnish_release(context, renderer->background.bytes);

@@ -118,7 +118,7 @@ static burnish_status update_maps(burnish_call *d, const double eye[3],
 /* The mean light of the surfaces that are seen, on white: of a sphere in the middle of the object as
  * the camera sees it. */
 static void find_mean_light(const burnish_call *d, float mean[3]) {
-    enum { COUNT = BURNISH_AREA_WHITE_MAX };
+    enum { COUNT = 16 };
     const double golden_angle = 2.39996322972865332;
     const burnish_shading *shading = &d->view.shading;
     const burnish_area_view *view = &d->view.area;
@@ -503,7 +503,7 @@ burnish_status burnish_call_run(burnish_call *d) {
     d->report.threads = burnish_tasks_threads(&renderer->tasks);
     d->report.triangles = d->mesh.view->triangle_count;
     burnish_status status =
-        burnish_coats_update(&renderer->coats, &d->mesh, &d->view.shading, &d->memory);
+        burnish_layering_update(&renderer->layering, &d->mesh, &d->view.shading, &d->memory);
     if (status == BURNISH_STATUS_OK) {
         status = burnish_texturing_update(&renderer->texturing, &d->mesh, d->options->samples,
                                           &renderer->tasks, &d->memory);

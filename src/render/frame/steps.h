@@ -57,7 +57,7 @@ struct burnish_renderer {
     const burnish_context *context;
     burnish_tasks tasks;
     burnish_shaders shaders;
-    burnish_coats coats;
+    burnish_layering layering;
     burnish_geometry geometry;
     burnish_attributes attributes;
     burnish_transparency transparency;

@@ -47,12 +47,10 @@ static void divide_by_inverse_w(int count, const float *const attribute[3], cons
     }
 }
 
-/* Shades `count` fragments of one material. If it is special, their opacity is in scratch
- * afterwards. */
-static void shade_material(const burnish_shading *shading, const burnish_fragment_batch *batch,
-                           const burnish_kernels_points *points,
-                           float (*streams)[BURNISH_SHADE_BATCH], int material,
-                           burnish_fragment_scratch *scratch, float *const rgb[3]) {
+void burnish_shade_material(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                            const burnish_kernels_points *points,
+                            float (*streams)[BURNISH_SHADE_BATCH], int material,
+                            burnish_fragment_scratch *scratch, float *const rgb[3]) {
     const int count = batch->count;
     const burnish_kernels_shader *shader = &shading->shaders[material];
     const burnish_texturing *texturing = shading->texturing;
@@ -83,24 +81,6 @@ static void shade_material(const burnish_shading *shading, const burnish_fragmen
     }
     if (shading->area) {
         burnish_area_add(shading->area, shading->kernels, shading->ops, &lit, rgb);
-    }
-}
-
-/* The same, with the coat over it. */
-static void shade_layers(const burnish_shading *shading, const burnish_fragment_batch *batch,
-                         const burnish_kernels_points *points,
-                         float (*streams)[BURNISH_SHADE_BATCH], int material,
-                         burnish_fragment_scratch *scratch, float *const rgb[3]) {
-    const int coat = shading->coats ? shading->coats[material] : -1;
-    if (coat >= 0) {
-        float *const light[3] = {scratch->coat[0], scratch->coat[1], scratch->coat[2]};
-        shade_material(shading, batch, points, streams, coat, scratch, light);
-        burnish_coat_weigh(shading, points, batch->count, material, scratch);
-    }
-    shade_material(shading, batch, points, streams, material, scratch, rgb);
-    for (int i = 0; coat >= 0 && i < 3 * batch->count; ++i) {
-        const int k = i % 3, at = i / 3;
-        rgb[k][at] = rgb[k][at] * scratch->below[at] + scratch->coat[k][at];
     }
 }
 
@@ -212,8 +192,8 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
             const int size = shading->ops->collect_material(material, i, batch->count, group->left,
                                                             &streams, group->starts);
             part.count = size;
-            shade_layers(shading, &part, &brought, scratch->texture.brought, material, scratch,
-                         light);
+            burnish_shade_layers(shading, &part, &brought, scratch->texture.brought, material,
+                                 scratch, light);
             if (shading->occlusion) {
                 burnish_add_bounces(shading, &brought, size, material, group->open,
                                     &scratch->texture, light);
@@ -263,7 +243,8 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
     }
     if (has_one_material(batch)) {
         const int material = batch->material ? batch->material[0] : 0;
-        shade_layers(shading, batch, &points, scratch->texture.points, material, scratch, rgb);
+        burnish_shade_layers(shading, batch, &points, scratch->texture.points, material, scratch,
+                             rgb);
         if (shading->occlusion) {
             burnish_add_bounces(shading, &points, batch->count, material, scratch->share.open,
                                 &scratch->texture, rgb);

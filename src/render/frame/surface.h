@@ -66,16 +66,22 @@ typedef struct burnish_fragment_batch {
     const int32_t *shown; /* items below 0 need no light; NULL: all do */
 } burnish_fragment_batch;
 
+/* What is over a material: sheen and a coat. */
+typedef struct burnish_layers {
+    const burnish_material *material;
+    int coat; /* its number as a material; -1: none */
+    int has_sheen;
+} burnish_layers;
+
 /* A frame's shaders, lights and kernels. */
 typedef struct burnish_shading {
     const burnish_kernels *kernels;
     const burnish_render_ops *ops;
-    const burnish_kernels_shader *shaders; /* one per material */
-    const burnish_kernels_shader *white;   /* all light is diffusely reflected */
-    const int32_t *coats;     /* per material: the number of its coat, or -1; NULL: none has one */
-    const float *coat_shares; /* per material: burnish_material.coat; read with coats */
-    burnish_rays rays;        /* from the eye */
-    int needs_position;       /* 1: a point light or a local viewer */
+    const burnish_kernels_shader *shaders;            /* one per material */
+    const burnish_kernels_shader *white;              /* all light is diffusely reflected */
+    const burnish_layers *layers;                     /* per material; NULL: none has any */
+    burnish_rays rays;                                /* from the eye */
+    int needs_position;                               /* 1: a point light or a local viewer */
     const struct burnish_occlusion_lookup *occlusion; /* NULL: none */
     const struct burnish_shadow_lookup *shadow;       /* of the first light; NULL: none */
     const burnish_texturing *texturing;               /* NULL: no material is special */
@@ -122,6 +128,7 @@ typedef struct burnish_fragment_scratch {
     float albedo[3][BURNISH_SHADE_BATCH]; /* of points of several materials */
     float coat[3][BURNISH_SHADE_BATCH];   /* light of the coat */
     float below[BURNISH_SHADE_BATCH];     /* what it leaves of the light below it */
+    float leaned[3][BURNISH_SHADE_BATCH], wide[3][BURNISH_SHADE_BATCH]; /* of sheen */
     burnish_material_group group;
     burnish_share_scratch share;
     burnish_texture_scratch texture;
@@ -139,26 +146,32 @@ typedef struct burnish_row_light {
     float rgb[3][BURNISH_BLOCK_ROW_PIXELS]; /* linear light, >= 0 */
 } burnish_row_light;
 
-/* ---- Clear coats (coat.c) ---- */
+/* ---- Sheen and clear coats (layers.c) ---- */
 
-/* A frame's coats. Owned; all zero before the first frame. */
-typedef struct burnish_coats {
-    burnish_coat *items;
-    int32_t *numbers; /* burnish_shading.coats */
-    float *shares;
-    size_t item_capacity, number_capacity, share_capacity;
-} burnish_coats;
+/* A frame's layers. Owned; all zero before the first frame. */
+typedef struct burnish_layering {
+    burnish_coat *coats;
+    burnish_layers *layers;
+    size_t coat_capacity, layer_capacity;
+} burnish_layering;
 
-/* Finds the coats of the mesh's materials. Errors: MEMORY. */
-burnish_status burnish_coats_update(burnish_coats *coats, burnish_drawn_mesh *mesh,
-                                    burnish_shading *shading, burnish_memory *memory);
-void burnish_coats_destroy(burnish_coats *coats, const burnish_context *context);
+/* Finds the layers of the mesh's materials. Errors: MEMORY. */
+burnish_status burnish_layering_update(burnish_layering *layering, burnish_drawn_mesh *mesh,
+                                       burnish_shading *shading, burnish_memory *memory);
+void burnish_layering_destroy(burnish_layering *layering, const burnish_context *context);
 
-/* What a coat of `count` points reflects becomes what is seen of it, times its share, and scratch->below
- * what it leaves of the light of its base. The coat was shaded last.
- *   points  of the base */
-void burnish_coat_weigh(const burnish_shading *shading, const burnish_kernels_points *points,
-                        int count, int base, burnish_fragment_scratch *scratch);
+/* Shades fragments of one material, with the layers over it. If it is special, their opacity is in
+ * scratch afterwards. */
+void burnish_shade_layers(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                          const burnish_kernels_points *points,
+                          float (*streams)[BURNISH_SHADE_BATCH], int material,
+                          burnish_fragment_scratch *scratch, float *const rgb[3]);
+
+/* The same without layers; the number may be a coat's (surface.c). */
+void burnish_shade_material(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                            const burnish_kernels_points *points,
+                            float (*streams)[BURNISH_SHADE_BATCH], int material,
+                            burnish_fragment_scratch *scratch, float *const rgb[3]);
 
 /* ---- Occlusion and what bounces (bounces.c) ---- */
 

@@ -161,9 +161,8 @@ void burnish_area_add(const burnish_area *area, const burnish_kernels *kernels,
                       const burnish_render_ops *ops, const burnish_area_batch *batch,
                       float *const rgb[3]);
 
-/* Adds to the colours of count points what a white, matt surface reflects; the shadow is not cast.
- * As above, but near lights are integrated at each point. count <= BURNISH_AREA_WHITE_MAX. */
-enum { BURNISH_AREA_WHITE_MAX = 16 };
+/* Adds to the colours of count points what a white, matt surface reflects. As above, but near lights
+ * are integrated at each point. count <= BURNISH_NEAR_BATCH. */
 void burnish_area_add_white(const burnish_area *area, const burnish_kernels *kernels,
                             const burnish_kernels_points *points, int count, float *const rgb[3]);
 

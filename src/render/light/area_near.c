@@ -142,11 +142,13 @@ void burnish_area_add_white(const burnish_area *area, const burnish_kernels *ker
                                        {NULL}};
     kernels->add_environment(&area->constants, &white, points, &each, (size_t)count, rgb);
     for (int l = 0; l < area->near_lights.count; ++l) {
-        float light[BURNISH_AREA_WHITE_MAX];
+        float light[BURNISH_NEAR_BATCH];
+        const float *lit = l == area->near_lights.key ? points->first_light : NULL;
         kernels->polygon_light(&area->near_lights.polygons[l], points, &axes, (size_t)count,
                                (float *const[2]){light, NULL});
         for (int i = 0; i < 3 * count; ++i) {
-            rgb[i % 3][i / 3] += area->near_lights.lights[l].color[i % 3] * light[i / 3];
+            const float share = lit ? lit[i / 3] : 1;
+            rgb[i % 3][i / 3] += area->near_lights.lights[l].color[i % 3] * light[i / 3] * share;
         }
     }
 }

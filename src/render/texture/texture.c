@@ -130,8 +130,8 @@ static burnish_status set_material(burnish_texturing *texturing, const burnish_m
         set_sampler(use, levels, &to->samplers[slot]);
         to->has_textures = 1;
         texturing->needs_second |= use->coordinates;
-        to->is_varied |= slot != BURNISH_TEXTURE_COLOR && slot != BURNISH_TEXTURE_OPACITY &&
-                         slot != BURNISH_TEXTURE_EMISSIVE;
+        to->is_varied |= slot != BURNISH_TEXTURE_COLOR && slot != BURNISH_TEXTURE_EMISSIVE &&
+                         slot < BURNISH_TEXTURE_OPACITY;
     }
     to->has_normals = to->samplers[BURNISH_TEXTURE_NORMAL].levels != NULL;
     to->is_varied &= !from->is_unlit;

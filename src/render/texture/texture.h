@@ -172,8 +172,9 @@ typedef struct burnish_texture_scratch {
     float specular[3][BURNISH_TEXTURE_BATCH], exponent[BURNISH_TEXTURE_BATCH];
     float open[BURNISH_TEXTURE_BATCH]; /* of ambient light */
     float reflectance[3][BURNISH_TEXTURE_BATCH], roughness[BURNISH_TEXTURE_BATCH]; /* if wanted */
-    float opacity[BURNISH_TEXTURE_BATCH]; /* of points of one material */
-    float alpha[BURNISH_TEXTURE_BATCH];   /* of the batch: what textures leave of the opacity */
+    float sheen[4][BURNISH_TEXTURE_BATCH]; /* factors of its colour and roughness */
+    float opacity[BURNISH_TEXTURE_BATCH];  /* of points of one material */
+    float alpha[BURNISH_TEXTURE_BATCH];    /* of the batch: what textures leave of the opacity */
     /* What masks leave of each sample of a pixel: of points of one material, and of the batch,
      * where some are smoothed. */
     int has_shifts; /* 1: points are fragments of layers, and some masks are smoothed */

@@ -178,4 +178,10 @@ void burnish_texture_shade(const burnish_texturing *texturing, const burnish_ker
             shader, &colored, (size_t)given->count, NULL, rgb);
     }
     add_emissive(&batch, given->count, rgb);
+    float(*const sheen)[BURNISH_TEXTURE_BATCH] = batch.scratch->sheen;
+    float(*const other)[BURNISH_TEXTURE_BATCH] = batch.scratch->sample;
+    sample_into(&batch, BURNISH_TEXTURE_SHEEN_COLOR, COLOR,
+                (float *const[]){sheen[0], sheen[1], sheen[2], other[3]});
+    sample_into(&batch, BURNISH_TEXTURE_SHEEN_ROUGHNESS, RED,
+                (float *const[]){sheen[3], other[1], other[2], other[3]});
 }

@@ -394,27 +394,29 @@ static void test_specular_textures(void) {
     }
 }
 
-/* KHR_materials_clearcoat. The set of its normals is the first without other normals. */
-static void test_coat(void) {
-    for (int is_unlit = 0; is_unlit < 2; ++is_unlit) {
-        char json[1024];
-        snprintf(json, sizeof json,
-                 "$head$triangle_accessors,'images':[$image],'textures':[{'source':0}],"
-                 "'materials':[{'extensions':{%s'KHR_materials_clearcoat':{'clearcoatFactor':0.75,"
-                 "'clearcoatRoughnessFactor':2,'clearcoatTexture':{'index':0},"
-                 "'clearcoatRoughnessTexture':{'index':0},"
-                 "'clearcoatNormalTexture':{'index':0,'scale':0.5}}}}],$painted}",
-                 is_unlit ? "'KHR_materials_unlit':{}," : "");
-        read_good(json, NULL);
-        const burnish_material *m = got.materials;
-        const burnish_texture_use *uses = m->textures;
-        CHECK1(m->coat == (is_unlit ? 0 : 0.75f) && m->coat_roughness == 1);
-        CHECK1((uses[BURNISH_TEXTURE_COAT].texture > 0) == !is_unlit &&
-               uses[BURNISH_TEXTURE_COAT_ROUGHNESS].texture == uses[BURNISH_TEXTURE_COAT].texture &&
-               uses[BURNISH_TEXTURE_COAT_NORMAL].texture == uses[BURNISH_TEXTURE_COAT].texture);
-        CHECK1(is_unlit || uses[BURNISH_TEXTURE_COAT_NORMAL].strength == 0.5f);
-        CHECK1(got.warning_count == 0);
+/* KHR_materials_clearcoat and _sheen. */
+static void test_layers(void) {
+    read_good("$head$triangle_accessors,'images':[$image],'textures':[{'source':0}],"
+              "'materials':[{'extensions':{'KHR_materials_clearcoat':{'clearcoatFactor':0.75,"
+              "'clearcoatRoughnessFactor':2,'clearcoatTexture':{'index':0},"
+              "'clearcoatRoughnessTexture':{'index':0},"
+              "'clearcoatNormalTexture':{'index':0,'scale':0.5}},'KHR_materials_sheen':{"
+              "'sheenColorFactor':[0,0.5,3],'sheenRoughnessFactor':0.25,"
+              "'sheenColorTexture':{'index':0},'sheenRoughnessTexture':{'index':0}}}}],"
+              "$painted}",
+              NULL);
+    const burnish_material *m = got.materials;
+    const burnish_texture_use *uses = m->textures, *coat = &uses[BURNISH_TEXTURE_COAT];
+    CHECK1(m->coat == 0.75f && m->coat_roughness == 1 && m->sheen_roughness == 0.25f);
+    CHECK1(m->sheen[0] == 0 && m->sheen[1] == 0.5f && m->sheen[2] == 1);
+    CHECK1(coat->texture > 0 && uses[BURNISH_TEXTURE_COAT_NORMAL].strength == 0.5f &&
+           uses[BURNISH_TEXTURE_COAT_ROUGHNESS].texture == coat->texture &&
+           uses[BURNISH_TEXTURE_COAT_NORMAL].texture == coat->texture);
+    for (int k = 0; k < 2; ++k) {
+        const int number = uses[BURNISH_TEXTURE_SHEEN_COLOR + k].texture;
+        CHECK1(number > 0 && got.textures[number - 1].is_color == !k);
     }
+    CHECK1(got.warning_count == 0);
 }
 
 /* A vertex has two sets of texture coordinates: the normal texture's, or else the one that most
@@ -580,7 +582,7 @@ int main(int count, char **arguments) {
     RUN(test_variants());
     RUN(test_textures());
     RUN(test_specular_textures());
-    RUN(test_coat());
+    RUN(test_layers());
     RUN(test_texture_sets());
     RUN(test_damaged_images());
     return test_end("gltf_scene");

@@ -122,6 +122,26 @@ static void read_specular(burnish_gltf *gltf, uint32_t value, burnish_texture_us
     }
 }
 
+/* KHR_materials_sheen. */
+static void read_sheen(burnish_gltf *gltf, uint32_t value, burnish_material *material) {
+    const uint32_t sheen = burnish_gltf_extension(gltf, value, "KHR_materials_sheen");
+    const double roughness = burnish_gltf_number(gltf, sheen, "sheenRoughnessFactor", 0);
+    double color[3] = {0, 0, 0};
+    float most = 0;
+    burnish_gltf_numbers(gltf, sheen, "sheenColorFactor", 3, color);
+    for (int i = 0; i < 3 && !material->is_unlit; ++i) {
+        material->sheen[i] = (float)clamp_number(color[i], 0, 1);
+        most += material->sheen[i];
+    }
+    material->sheen_roughness = (float)clamp_number(roughness, 0, 1);
+    if (most > 0) {
+        material->textures[BURNISH_TEXTURE_SHEEN_COLOR] =
+            burnish_gltf_read_texture(gltf, sheen, "sheenColorTexture", BURNISH_GLTF_COLORS, NULL);
+        material->textures[BURNISH_TEXTURE_SHEEN_ROUGHNESS] = burnish_gltf_read_texture(
+            gltf, sheen, "sheenRoughnessTexture", BURNISH_GLTF_ALPHA, NULL);
+    }
+}
+
 /* KHR_materials_clearcoat. */
 static void read_coat(burnish_gltf *gltf, uint32_t value, burnish_material *material) {
     const uint32_t coat = burnish_gltf_extension(gltf, value, "KHR_materials_clearcoat");
@@ -226,6 +246,7 @@ static burnish_material read_material(burnish_gltf *gltf, uint32_t value) {
     read_emission(gltf, value, &material);
     read_alpha(gltf, value, surface.base[3], &material);
     read_textures(gltf, value, glossy, &material);
+    read_sheen(gltf, value, &material);
     read_coat(gltf, value, &material);
     settle_gloss(gltf, glossy, &surface, &material);
     return material;
