@@ -195,15 +195,15 @@ static void draw_quad(const burnish_material *material, float light[PIXELS][PIXE
 /* The largest difference of two materials' pictures, and of them from black. */
 static double differ(const burnish_material *a, const burnish_material *b, double *most) {
     static float light[2][PIXELS][PIXELS][4];
+    const float *x = light[0][0][0], *y = light[1][0][0];
     double difference = 0;
     *most = 0;
     draw_quad(a, light[0]);
     draw_quad(b, light[1]);
     for (int i = 0; i < PIXELS * PIXELS * 4; ++i) {
         if (i % 4 < 3) {
-            const double x = (double)light[0][0][0][i], y = (double)light[1][0][0][i];
-            difference = fmax(difference, fabs(x - y));
-            *most = fmax(*most, x);
+            difference = fmax(difference, fabs((double)x[i] - (double)y[i]));
+            *most = fmax(*most, (double)x[i]);
         }
     }
     return difference;
