@@ -44,7 +44,7 @@ def camera(scene, at):
 
 def draw(picture):
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    bpy.ops.import_scene.gltf(filepath=picture["file"])
+    bpy.ops.import_scene.gltf(filepath=picture["file"], guess_original_bind_pose=False)
     scene = bpy.context.scene
     for thing in list(scene.objects):
         if thing.type in ("LIGHT", "CAMERA"):
@@ -52,6 +52,8 @@ def draw(picture):
         else:
             thing.visible_diffuse = thing.visible_glossy = thing.visible_shadow = False
             thing.animation_data_clear()
+            for bone in thing.pose.bones if thing.pose else ():
+                bone.matrix_basis.identity()
     for material in bpy.data.materials:
         for node in material.node_tree.nodes if material.use_nodes else ():
             if node.type == "BSDF_PRINCIPLED":
@@ -59,9 +61,11 @@ def draw(picture):
     world(scene)
     camera(scene, picture["camera"])
     render, cycles = scene.render, scene.cycles
+    render.use_persistent_data = True
     render.engine, cycles.samples, cycles.use_adaptive_sampling, cycles.use_denoising = "CYCLES", jobs["samples"], False, False
-    cycles.max_bounces, cycles.sample_clamp_indirect = 12, 0
+    cycles.pixel_filter_type, cycles.max_bounces, cycles.sample_clamp_indirect = "BOX", 8, 0
     render.resolution_x, render.resolution_y, render.resolution_percentage = jobs["width"], jobs["height"], 100
+    render.film_transparent, render.image_settings.color_mode = True, "RGBA"
     render.image_settings.file_format, render.image_settings.color_depth = "OPEN_EXR", "32"
     scene.view_settings.view_transform = "Standard"
     for i, output in enumerate(picture["halves"]):
@@ -70,10 +74,7 @@ def draw(picture):
         image = bpy.data.images.load(output + ".exr")
         pixels = numpy.empty(4 * jobs["width"] * jobs["height"], numpy.float32)
         image.pixels.foreach_get(pixels)
-        numpy.save(output, pixels.reshape(jobs["height"], jobs["width"], 4)[::-1, :, :3])
-    render.film_transparent, cycles.samples, render.image_settings.color_mode = True, 16, "RGBA"
-    render.image_settings.file_format, render.filepath = "PNG", picture["mask"]
-    bpy.ops.render.render(write_still=True)
+        numpy.save(output, pixels.reshape(jobs["height"], jobs["width"], 4)[::-1])
 
 
 for one in jobs["pictures"]:

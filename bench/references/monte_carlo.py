@@ -24,44 +24,25 @@ class Environment:
         self.density = weight / weight.sum() / solid[:, None]
         self.cumulative = np.cumsum(weight.ravel() / weight.sum())
 
-    def sample(self, points):
-        i = np.searchsorted(self.cumulative, rng.random(len(points))).clip(0, self.cumulative.size - 1)
+    def sample(self, u):
+        i = np.searchsorted(self.cumulative, u).clip(0, self.cumulative.size - 1)
         theta = (i // self.width + rng.random(len(i))) / self.height * np.pi
         phi = ((i % self.width + rng.random(len(i))) / self.width - 0.5) * 2 * np.pi
         return np.stack((np.sin(theta) * np.cos(phi), np.cos(theta), np.sin(theta) * np.sin(phi)), -1)
 
-    def look(self, points, w):
+    def look(self, w):
         x = ((np.arctan2(w[:, 2], w[:, 0]) / 2 / np.pi + 0.5) * self.width).astype(int) % self.width
         y = (np.arccos(w[:, 1].clip(-1, 1)) / np.pi * self.height).astype(int).clip(0, self.height - 1)
         return self.image[y, x], self.density[y, x]
 
 
-class Square:
-    """A square of side 2 around a centre that faces the origin."""
-    def __init__(self, centre, radiance):
-        self.centre, self.radiance, self.normal = np.array(centre, float), radiance, -unit(np.array(centre, float))
-        self.x = unit(np.cross((0, 1, 0), self.normal))
-        self.y = np.cross(self.normal, self.x)
-
-    def sample(self, points):
-        a, b = rng.uniform(-1, 1, (2, len(points), 1))
-        return unit(self.centre + a * self.x + b * self.y - points)
-
-    def look(self, points, w):
-        cosine = -dot(w, self.normal)
-        t = dot(points - self.centre, self.normal) / np.where(np.abs(cosine) > 1e-9, cosine, 1e-9)
-        hit = points + t[:, None] * w - self.centre
-        inside = (t > 0) & (cosine > 1e-9) & (np.abs(hit @ self.x) < 1) & (np.abs(hit @ self.y) < 1)
-        return np.where(inside, self.radiance, 0)[:, None] * np.ones(3), np.where(inside, t * t / 4 / np.maximum(cosine, 1e-9), 0)
-
-
-def visible_normal(v, alpha):
+def visible_normal(v, alpha, u):
     """A microfacet's normal that the viewer v sees, in the frame of the surface (Heitz, Sampling the GGX distribution of visible
     normals, 2018)."""
     stretched = unit(v * (alpha, alpha, 1))
     side = np.stack((-stretched[:, 1], stretched[:, 0], np.zeros(len(v))), -1)
     x = unit(np.where(dot(side, side)[:, None] > 1e-12, side, (1.0, 0, 0)))
-    r, phi = np.sqrt(rng.random(len(v))), 2 * np.pi * rng.random(len(v))
+    r, phi = np.sqrt(u), 2 * np.pi * rng.random(len(v))
     a, s = r * np.cos(phi), 0.5 * (1 + stretched[:, 2])
     b = (1 - s) * np.sqrt(np.maximum(0, 1 - a * a)) + s * r * np.sin(phi)
     normal = a[:, None] * x + b[:, None] * np.cross(stretched, x) + np.sqrt(np.maximum(0, 1 - a * a - b * b))[:, None] * stretched
@@ -80,7 +61,7 @@ def albedo(f0, alpha):
     """What single scattering reflects of uniform light, at 64 cosines."""
     cosines = (np.arange(64) + 0.5) / 64
     v = np.repeat(np.stack((np.sqrt(1 - cosines ** 2), 0 * cosines, cosines), -1), 2000, 0)
-    h = visible_normal(v, alpha)
+    h = visible_normal(v, alpha, rng.random(len(v)))
     l = 2 * dot(v, h)[:, None] * h - v
     share = np.where(l[:, 2] > 0, (1 + smith(v[:, 2], alpha)) / (1 + smith(v[:, 2], alpha) + smith(l[:, 2], alpha)), 0)
     return cosines, (fresnel(f0, dot(v, h)) * share[:, None]).reshape(64, 2000, -1).mean(1)
@@ -106,16 +87,16 @@ def radiance(points, normals, eye, light, base, metallic, roughness, samples):
         d = alpha ** 2 / np.pi / (h[:, 2] ** 2 * (alpha ** 2 - 1) + 1) ** 2
         a, b = smith(local[:, 2], alpha), smith(l[:, 2], alpha)
         mirror = (d / (1 + a + b) / 4 / local[:, 2])[:, None] * fresnel(f0, dot(local, h)) * gain
-        seen, density = light.look(points, w)
+        seen, density = light.look(w)
         up = l[:, 2] > 1e-6
         value = np.where(up[:, None], (mirror + matt * l[:, 2:]) * seen, 0)
         own = np.where(up, 0.5 * d / (1 + a) / 4 / local[:, 2] + 0.5 * l[:, 2] / np.pi, 0)
         return value / np.maximum(own + density, 1e-12)[:, None]
 
     total = np.zeros((len(points), 3))
-    for _ in range(samples):
-        total += scattered(light.sample(points))
-        h = visible_normal(local, alpha)
+    for i in range(samples):
+        total += scattered(light.sample((i + rng.random(len(points))) / samples))
+        h = visible_normal(local, alpha, (i + rng.random(len(points))) / samples)
         l = 2 * dot(local, h)[:, None] * h - local
         z, phi = np.sqrt(rng.random(len(points))), 2 * np.pi * rng.random(len(points))
         r = np.sqrt(1 - z * z)

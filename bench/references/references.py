@@ -3,7 +3,7 @@
 
 Usage: references.py three|cycles|monte-carlo BURNISH SCRATCH [FOLDER]
   SCRATCH  gets the pictures, REFERENCE.txt and REFERENCE.png; for three: has node_modules with three and puppeteer-core
-  FOLDER   glTF files for three and cycles, in it or in its folders; without: spheres and tori of roughness 0 to 1 only
+  FOLDER   glTF files for three and cycles, in it or in its folders; without: spheres of roughness 0 to 1 only
 
 Both draw with the same camera and the same environment, the room at half its strength, without tone mapping, shadows and occlusion.
 Pixels that both cover completely are compared. Needs numpy and Pillow; SIZE and SAMPLES change the size and the noise."""
@@ -22,48 +22,41 @@ import monte_carlo
 HERE = pathlib.Path(__file__).parent
 GOLD, RED = (1.0, 0.766, 0.336), (0.8, 0.05, 0.02)
 SIZE = tuple(map(int, os.environ.get("SIZE", "320x240").split("x")))
+TIMES = 2
 SAMPLES = int(os.environ.get("SAMPLES", "64"))
 STRENGTH = 0.5
-SQUARE = (2.5, 2.0, 1.5) # the centre of a near light, which faces the object
 
 
-def shape(file, tube, material):
-    """Writes a glTF file with a sphere of radius 1, or a torus if tube > 0."""
-    u, v = np.meshgrid(np.linspace(0, 2 * np.pi, 193), np.linspace(0, 2 * np.pi if tube else np.pi, 97))
-    ring = np.stack((np.cos(u), 0 * u, np.sin(u)), -1)
-    normal = ring * (np.cos(v) if tube else np.sin(v))[..., None] + np.stack((0 * v, np.sin(v) if tube else np.cos(v), 0 * v), -1)
-    position = normal if not tube else 0.7 * ring + tube * normal
-    i = (np.arange(96)[:, None] * 193 + np.arange(192)).ravel()[:, None]
-    triangles = (i + (0, 1, 193, 1, 194, 193)) if not tube else (i + (0, 193, 1, 1, 193, 194))
-    arrays = (position.reshape(-1, 3).astype("<f4"), normal.reshape(-1, 3).astype("<f4"), triangles.reshape(-1, 1).astype("<u4"))
-    data, views, accessors = b"", [], []
-    for array, kind, component in zip(arrays, ("VEC3", "VEC3", "SCALAR"), (5126, 5126, 5125)):
-        views.append({"buffer": 0, "byteOffset": len(data), "byteLength": array.nbytes})
-        accessors.append({"bufferView": len(views) - 1, "componentType": component, "count": len(array), "type": kind,
-                          "min": array.min(0).tolist(), "max": array.max(0).tolist()})
-        data += array.tobytes()
-    base, metallic, roughness = material
+def sphere(file, base, metallic, roughness):
+    """Writes a glTF file."""
+    u, v = np.meshgrid(np.linspace(0, 2 * np.pi, 193), np.linspace(0, np.pi, 97))
+    position = np.stack((np.cos(u) * np.sin(v), np.cos(v), np.sin(u) * np.sin(v)), -1).reshape(-1, 3).astype("<f4")
+    triangles = (np.arange(96 * 193).reshape(96, 193)[:, :192, None] + (0, 1, 193, 1, 194, 193)).astype("<u4")
+    accessors = [{"bufferView": 0, "componentType": 5126, "count": len(position), "type": "VEC3", "min": [-1, -1, -1], "max": [1, 1, 1]},
+                 {"bufferView": 1, "componentType": 5125, "count": triangles.size, "type": "SCALAR"}]
+    data = position.tobytes() + triangles.tobytes()
     file.write_text(json.dumps({
         "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}, "indices": 2, "material": 0}]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 0}, "indices": 1, "material": 0}]}],
         "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [*base, 1], "metallicFactor": metallic, "roughnessFactor": roughness}}],
         "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}],
-        "bufferViews": views, "accessors": accessors}))
+        "bufferViews": [{"buffer": 0, "byteLength": position.nbytes}, {"buffer": 0, "byteOffset": position.nbytes, "byteLength": triangles.nbytes}],
+        "accessors": accessors}))
 
 
-def shapes(scratch, roughnesses):
+def spheres(scratch):
     for kind, base, metallic in (("metal", GOLD, 1), ("plastic", RED, 0)):
-        for name, tube in (("sphere", 0), ("torus", 0.3)):
-            for roughness in roughnesses:
-                file = scratch / f"{name}-{kind}-{roughness}.gltf"
-                shape(file, tube, (base, metallic, roughness))
-                yield {"name": file.stem, "file": str(file), "material": (base, metallic, roughness)}
+        for roughness in (0, 0.1, 0.3, 0.5, 0.8, 1):
+            file = scratch / f"{kind}-{roughness}.gltf"
+            sphere(file, base, metallic, roughness)
+            yield {"name": file.stem, "file": str(file), "material": (base, metallic, roughness)}
 
 
 def run(burnish, file, output, *flags):
     command = [burnish, "render", file, "--look=plain", "--overwrite", f"--output={output}", "--json", *flags]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
-    return json.loads(done.stdout) if done.returncode == 0 else sys.stderr.write(done.stderr)
+    sys.stderr.write("" if done.returncode == 0 else done.stderr)
+    return json.loads(done.stdout) if done.returncode == 0 else None
 
 
 def room(burnish, scratch):
@@ -89,16 +82,17 @@ def room(burnish, scratch):
 
 
 def draw(burnish, picture, scratch, lights):
-    """burnish's picture, its mask and its camera."""
-    paths = {name: str((scratch / f"{picture['name']}.{name}").resolve()) for name in ("burnish.png", "coverage.npy", "normal.npy", "depth.npy", "output", "mask", "a.npy", "b.npy")}
-    report = run(burnish, picture["file"], paths["burnish.png"], f"--size={SIZE[0]}x{SIZE[1]}", *lights, "--tone-mapping=none", "--occlusion=none",
-                 *(f"--plane={plane}:{paths[plane + '.npy']}" for plane in ("coverage", "normal", "depth")))
-    if not report:
-        return False
-    picture.update(camera=report["camera"], warnings=report["warnings"], output=paths["output"], mask=paths["mask"], halves=[paths["a.npy"], paths["b.npy"]],
-                   drawn=np.asarray(Image.open(paths["burnish.png"]).convert("RGB")), inside=np.load(paths["coverage.npy"]) == 255,
-                   normal=np.load(paths["normal.npy"]), depth=np.load(paths["depth.npy"]))
-    return True
+    """Adds burnish's picture, its mask and its camera, and the names of the reference's files."""
+    base = str((scratch / picture["name"]).resolve())
+    planes = {plane: f"{base}.{plane}.npy" for plane in ("coverage", "normal", "depth")}
+    report = run(burnish, picture["file"], base + ".burnish.png", f"--size={TIMES * SIZE[0]}x{TIMES * SIZE[1]}", *lights, "--tone-mapping=none",
+                 "--occlusion=none", *(f"--plane={plane}:{file}" for plane, file in planes.items()))
+    if report:
+        coverage, normal, depth = (np.load(file) for file in planes.values())
+        picture.update(camera=report["camera"], warnings=report["warnings"], drawn=srgb(smaller(linear(base + ".burnish.png"))),
+                       inside=smaller(coverage[..., None])[..., 0] == 255, normal=normal, depth=depth,
+                       output=base + ".output.png", mask=base + ".mask.png", halves=[base + ".a.npy", base + ".b.npy"])
+    return picture
 
 
 def estimate(picture, light):
@@ -106,35 +100,53 @@ def estimate(picture, light):
     camera = {name: np.array(value) for name, value in picture["camera"].items()}
     forward = monte_carlo.unit(camera["focal_point"] - camera["position"])
     right = monte_carlo.unit(np.cross(forward, camera["view_up"]))
-    y, x = np.nonzero(picture["inside"])
-    scale = np.tan(np.radians(camera["view_angle"]) / 2) / SIZE[1]
-    rays = forward + ((2 * x + 1 - SIZE[0]) * scale)[:, None] * right - ((2 * y + 1 - SIZE[1]) * scale)[:, None] * np.cross(right, forward)
+    inside = picture["inside"].repeat(TIMES, 0).repeat(TIMES, 1)
+    y, x = np.nonzero(inside)
+    height, width = inside.shape
+    scale = np.tan(np.radians(camera["view_angle"]) / 2) / height
+    rays = forward + ((2 * x + 1 - width) * scale)[:, None] * right - ((2 * y + 1 - height) * scale)[:, None] * np.cross(right, forward)
     points = camera["position"] + picture["depth"][y, x][:, None] * rays
     for half in picture["halves"]:
-        image = np.zeros(picture["drawn"].shape)
-        image[y, x] = monte_carlo.radiance(points, monte_carlo.unit(picture["normal"][y, x]), camera["position"], light, *picture["material"], SAMPLES)
+        image = np.zeros((height, width, 4))
+        image[y, x, 3] = 1
+        image[y, x, :3] = monte_carlo.radiance(points, monte_carlo.unit(picture["normal"][y, x]), camera["position"], light,
+                                                *picture["material"], -(-SAMPLES // TIMES ** 2))
         np.save(half, image)
 
 
-def srgb(linear):
-    linear = linear.clip(0, 1)
-    return 255 * np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+def srgb(x):
+    x = x.clip(0, 1)
+    return 255 * np.where(x <= 0.0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - 0.055)
 
 
-def decibels(a, b):
-    return 10 * np.log10(255 ** 2 / max(1e-9, np.mean((a.astype(float) - b) ** 2)))
+def linear(file):
+    x = np.arange(256) / 255
+    return np.where(x <= 0.04045, x / 12.92, ((x + 0.055) / 1.055) ** 2.4)[np.asarray(Image.open(file).convert("RGB"))]
 
 
-def reference(picture):
-    """The other picture, its mask, and the decibels of its noise."""
+def smaller(image):
+    """An image of the size SIZE: means of as many pixels as this one has for each."""
+    return image.reshape(SIZE[1], -1, SIZE[0], image.shape[1] // SIZE[0], image.shape[2]).mean((1, 3))
+
+
+def decibels(square):
+    return 10 * np.log10(255 ** 2 / max(1e-3, square))
+
+
+def compare(picture):
+    """Adds the other picture, the mask, decibels, the reference's noise and the share of pixels that both cover. The product of two
+    differences from independent halves is free of noise."""
     if os.path.exists(picture["output"]):
-        image, noise = np.asarray(Image.open(picture["output"]).convert("RGB")), None
+        other = [linear(picture["output"])]
+        mask = np.asarray(Image.open(picture["mask"]))[..., 3:] / 255
     else:
-        a, b = (np.load(half).astype(float) for half in picture["halves"])
-        image, noise = srgb((a + b) / 2), decibels(srgb(a)[picture["inside"]], srgb(b)[picture["inside"]]) + 6
-    if not os.path.exists(picture["mask"]):
-        return image, picture["inside"], noise
-    return image, np.asarray(Image.open(picture["mask"]))[..., 3] == 255, noise
+        other = [np.load(half).astype(float) for half in picture["halves"]]
+        mask = np.minimum(*(half[..., 3:] for half in other))
+    other, mask = [srgb(smaller(half[..., :3])) for half in other], smaller(mask)[..., 0] > 0.999
+    both = mask & picture["inside"]
+    a, b = (half[both] - picture["drawn"][both] for half in (other[0], other[-1]))
+    picture.update(other=np.mean(other, 0), both=both, same=both.sum() / max(1, (mask | picture["inside"]).sum()), db=decibels(np.mean(a * b)),
+                   noise=decibels(np.mean((a - b) ** 2) / 4) if len(other) > 1 else None)
 
 
 def sheet(pictures, file):
@@ -143,7 +155,7 @@ def sheet(pictures, file):
     for i, picture in enumerate(pictures):
         x, y = i % columns * 3 * width, i // columns * (height + 16)
         ImageDraw.Draw(image).text((x + 4, y + 2), f"{picture['name']}  {picture['db']:.1f} dB   burnish | reference | 4 x difference")
-        outside, a, b = ~(picture["both"][..., None]), picture["drawn"].astype(float), picture["other"]
+        outside, a, b = ~(picture["both"][..., None]), picture["drawn"], picture["other"]
         for k, part in enumerate((a, b, np.where(outside, 0, 4 * np.abs(a - b)))):
             image.paste(Image.fromarray(part.clip(0, 255).astype(np.uint8)), (x + k * width, y + 16))
     image.save(file)
@@ -158,40 +170,33 @@ def main():
         old.unlink()
     environment, image = room(burnish, work)
     dome = (f"--environment={environment}", f"--environment-strength={STRENGTH}", "--background-color=environment")
-    pictures = []
+    files = sorted(file for pattern in ("*.glb", "*.gltf") for file in pathlib.Path(*folder).resolve().rglob(pattern)) if folder else []
+    pictures = [*spheres(work), *({"name": file.stem, "file": str(file)} for file in files)]
+    pictures = [draw(burnish, picture, work, dome) for picture in pictures]
     if name == "monte-carlo":
-        square = (f"--light=world-rect:{','.join(map(str, SQUARE))}:2,2", "--ambient=0")
-        for kind, flags, light in (("room", dome, monte_carlo.Environment(image, STRENGTH)), ("square", square, monte_carlo.Square(SQUARE, 1))):
-            for picture in shapes(work, (0.1, 0.3, 0.5, 0.8)):
-                picture["name"] += "-" + kind
-                draw(burnish, picture, work, flags)
-                estimate(picture, light)
-                pictures.append(picture)
+        light = monte_carlo.Environment(image, STRENGTH)
+        for picture in pictures:
+            estimate(picture, light)
     else:
-        files = sorted(file for pattern in ("*.glb", "*.gltf") for file in pathlib.Path(*folder).resolve().rglob(pattern)) if folder else []
-        pictures = [*shapes(work, (0, 0.1, 0.3, 0.5, 0.8, 1)), *({"name": file.stem, "file": str(file)} for file in files)]
-        pictures = [picture for picture in pictures if draw(burnish, picture, work, dome)]
-        jobs = {"environment": environment, "strength": STRENGTH, "samples": SAMPLES, "width": SIZE[0], "height": SIZE[1],
-                "pictures": [{key: picture[key] for key in ("file", "camera", "output", "mask", "halves")} for picture in pictures]}
+        jobs = {"environment": environment, "strength": STRENGTH, "samples": SAMPLES, "ratio": TIMES, "width": SIZE[0], "height": SIZE[1],
+                "pictures": [{key: picture[key] for key in ("file", "camera", "output", "mask", "halves")} for picture in pictures if "drawn" in picture]}
         (work / "jobs.json").write_text(json.dumps(jobs))
-        other = {"three": ["node", HERE / "three.mjs", scratch / "node_modules"], "cycles": ["blender", "--background", "--factory-startup", "--python", HERE / "cycles.py", "--"]}
+        other = {"three": ["node", HERE / "three.mjs", scratch / "node_modules"],
+                 "cycles": ["blender", "--background", "--factory-startup", "--python", HERE / "cycles.py", "--"]}
         subprocess.run([*other[name], work / "jobs.json"], stdout=subprocess.DEVNULL, check=True)
     lines, compared = [], []
     for picture in pictures:
-        if not any(map(os.path.exists, (picture["output"], picture["halves"][0]))):
-            lines.append(f"     -             {picture['name']}: not drawn by {name}")
-            continue
-        picture["other"], mask, picture["noise"] = reference(picture)
-        picture["both"] = mask & picture["inside"]
-        picture["db"] = decibels(picture["drawn"][picture["both"]], picture["other"][picture["both"]])
-        picture["same"] = picture["both"].sum() / max(1, (mask | picture["inside"]).sum())
-        compared.append(picture)
+        if "drawn" in picture and any(map(os.path.exists, (picture["output"], picture["halves"][0]))):
+            compare(picture)
+            compared.append(picture)
+        else:
+            lines.append(f"     -                  {picture['name']}: not drawn by {name if 'drawn' in picture else 'burnish'}")
     compared.sort(key=lambda picture: picture["db"])
     for picture in compared:
         noise = f"{picture['noise']:6.1f}" if picture["noise"] else "     -"
-        lines.append(f"{picture['db']:6.1f} {noise} {100 * picture['same']:5.1f} %  {picture['name']}  {' '.join(picture['warnings'])[:90]}")
-    lines.append("dB, dB of the reference's noise, pixels that both cover of those that one covers")
-    for group, kept in (("shapes", [p["db"] for p in compared if "material" in p]), ("files", [p["db"] for p in compared if "material" not in p])):
+        lines.append(f"{picture['db']:6.1f} {noise} {100 * picture['same']:5.1f} %  {picture['name']}  {' '.join(picture['warnings']).replace(picture['file'] + ': ', '')[:120]}")
+    lines.append("dB without the reference's noise, dB of that noise, pixels that both cover of those that one covers")
+    for group, kept in (("spheres", [p["db"] for p in compared if "material" in p]), ("files", [p["db"] for p in compared if "material" not in p])):
         if kept:
             lines.append(f"{group}: {len(kept)} pictures, mean {np.mean(kept):.1f} dB, median {np.median(kept):.1f}, worst {min(kept):.1f}")
     (scratch / f"{name}.txt").write_text("\n".join(lines) + "\n")

@@ -26,8 +26,9 @@ const server = createServer((request, response) => {
 await new Promise((listening) => server.listen(0, "127.0.0.1", listening));
 
 // In the page: the renderer and the environment.
-async function open({ environment, width, height }) {
+async function open({ environment, width, height, ratio }) {
   const renderer = new all.WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
+  renderer.setPixelRatio(ratio);
   renderer.setSize(width, height);
   renderer.toneMapping = all.NoToneMapping;
   const draco = new all.DRACOLoader().setDecoderPath("/three/examples/jsm/libs/draco/gltf/");
