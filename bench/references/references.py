@@ -145,8 +145,9 @@ def compare(picture):
     other, mask = [srgb(smaller(half[..., :3])) for half in other], smaller(mask)[..., 0] > 0.999
     both = mask & picture["inside"]
     a, b = (half[both] - picture["drawn"][both] for half in (other[0], other[-1]))
-    picture.update(other=np.mean(other, 0), both=both, same=both.sum() / max(1, (mask | picture["inside"]).sum()), db=decibels(np.mean(a * b)),
-                   noise=decibels(np.mean((a - b) ** 2) / 4) if len(other) > 1 else None)
+    noise = np.mean((a - b) ** 2) / 4
+    picture.update(other=np.mean(other, 0), both=both, same=both.sum() / max(1, (mask | picture["inside"]).sum()),
+                   db=decibels(max(np.mean(a * b), noise / 32)), noise=decibels(noise) if noise else None)
 
 
 def sheet(pictures, file):
