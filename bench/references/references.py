@@ -5,7 +5,7 @@ Usage: references.py three|cycles|monte-carlo BURNISH SCRATCH [FOLDER]
   SCRATCH  gets the pictures, REFERENCE.txt and REFERENCE.png; for three: has node_modules with three and puppeteer-core
   FOLDER   glTF files for three and cycles, in it or in its folders; without: spheres of roughness 0 to 1 only
 
-Both draw with the same camera and the same environment, the room at half its strength, without tone mapping, shadows and occlusion.
+Both draw with the same camera and the same environment, the room at half its strength, without tone mapping, shadows and computed occlusion.
 Pixels that both cover completely are compared. Needs numpy and Pillow; SIZE and SAMPLES change the size and the noise."""
 import base64
 import json
