@@ -27,6 +27,8 @@ typedef enum burnish_texture_slot {
     BURNISH_TEXTURE_EMISSIVE,           /* rgb multiplies emissive */
     BURNISH_TEXTURE_OCCLUSION,          /* r multiplies the ambient light */
     BURNISH_TEXTURE_OPACITY,            /* r multiplies the opacity */
+    BURNISH_TEXTURE_TRANSMISSION,       /* r multiplies transmission */
+    BURNISH_TEXTURE_THICKNESS,          /* g multiplies thickness */
     BURNISH_TEXTURE_SHEEN_COLOR,        /* rgb multiplies sheen */
     BURNISH_TEXTURE_SHEEN_ROUGHNESS,    /* r multiplies sheen_roughness */
     BURNISH_TEXTURE_COAT,               /* r multiplies coat */
@@ -102,6 +104,16 @@ typedef struct burnish_material {
      * reflectance 0.04 and this roughness does, times `coat`, and takes coat F of the light below
      * it, F = 0.04 + 0.96 (1 - N.V)^5. [0, 1]; coat 0: none */
     float coat, coat_roughness;
+
+    /* Light that passes, of materials with is_metallic 1. Of what a dielectric does not reflect, a
+     * share `transmission` is not diffusely reflected: it comes from behind, times the base colour.
+     * Behind a front face with a thickness is a volume, which refracts and absorbs: what passes is
+     * multiplied by attenuation_color^(thickness / attenuation_distance). */
+    float transmission;         /* [0, 1] */
+    float thickness;            /* of the volume, in the units of the mesh; 0: a thin sheet */
+    float refractive_index;     /* of the volume: 0, which means 1.5, or from 1 on */
+    float attenuation_distance; /* in the units of the mesh; 0: the volume is clear */
+    float attenuation_color[3]; /* [0, 1] */
 
     burnish_alpha_mode alpha_mode;
     float alpha_cutoff; /* MASK: [0, 1] */

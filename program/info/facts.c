@@ -109,6 +109,14 @@ static void add_counts(cJSON *root, const burnish_mesh_facts *facts, int *failed
     }
 }
 
+static size_t count_transmissive(const burnish_mesh *mesh) {
+    size_t count = 0;
+    for (size_t i = 0; i < burnish_mesh_get_material_count(mesh); ++i) {
+        count += burnish_mesh_get_material(mesh, i)->transmission > 0;
+    }
+    return count;
+}
+
 cJSON *info_make_json(const info_report *r, int *failed) {
     const burnish_mesh_info *info = burnish_mesh_get_info(r->mesh);
     char extension[IMPORT_EXTENSION_SIZE];
@@ -124,6 +132,7 @@ cJSON *info_make_json(const info_report *r, int *failed) {
     cli_json_add(root, "lines", cli_json_count(info->line_count), failed);
     cli_json_add(root, "materials", cli_json_count(burnish_mesh_get_material_count(r->mesh)),
                  failed);
+    cli_json_add(root, "transmissive", cli_json_count(count_transmissive(r->mesh)), failed);
     cli_json_add(root, "variants",
                  cli_json_array(burnish_mesh_get_variant_count(r->mesh), variant_at, r->mesh),
                  failed);

@@ -67,6 +67,7 @@ static const cli_term json_terms[] = {
     {"*points, lines*", "number of points and lines of an input without faces; then *area* and "
                         "everything below it, except *origin* and *warnings*, is null"},
     {"*materials*", "after loading: at least 1"},
+    {"*transmissive*", "materials through which light passes (glTF)"},
     {"*variants*", "names for *--variant* (glTF)"},
     {"*unit*", "of lengths, from 3MF or glTF: micron, millimeter, centimeter, inch, foot or meter; "
                "null if unknown"},

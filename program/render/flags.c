@@ -363,7 +363,9 @@ static const cli_flag flags[] = {
                "object has the grey of the look, or the colour of *--color*."},
     {DRAW_FLAG("material", "NAME", "material preset", cli_flag_word, shading.material), .common = 1,
      .words = render_preset_words,
-     .manual = "A material preset for the whole object; see *MATERIALS*. Colours do not change."},
+     .manual =
+         "A material preset for the whole object; see *MATERIALS*. Colours do not change, but "
+         "*glass* without a colour is clear."},
     {DRAW_FLAG("opacity", "F", "opacity of the whole object", cli_flag_real, shading.opacity),
      .svg = CLI_SVG_REFUSED, CLI_RANGE(0, 1), .default_label = "the input's",
      .manual =

@@ -123,7 +123,8 @@ int burnish_layers_next(const burnish_tile *tile, const burnish_raster_view *vie
     return fragments->count > 0;
 }
 
-int burnish_layers_deeper(burnish_tile *tile, const float *through, float least, int passes) {
+int burnish_layers_deeper(burnish_tile *tile, const float *through, size_t channel, float least,
+                          int passes) {
     burnish_tile_layers *layers = tile->layers;
     const size_t last = (size_t)(BURNISH_LAYERS_MAX - 1) * (size_t)layers->block_samples;
     const int count = BLOCKS * layers->block_samples;
@@ -132,7 +133,10 @@ int burnish_layers_deeper(burnish_tile *tile, const float *through, float least,
         return 0;
     }
     for (int i = 0; i < count; ++i) {
-        const int is_open = layers->counts[i] == BURNISH_LAYERS_MAX && through[i] > least;
+        const float *shares = through + i;
+        const int passes_some =
+            shares[0] > least || shares[channel] > least || shares[2 * channel] > least;
+        const int is_open = layers->counts[i] == BURNISH_LAYERS_MAX && passes_some;
         layers->fronts[i] =
             is_open ? layers->depths[burnish_layer_index(layers, i) + last] : 2 * BURNISH_FARTHEST;
         layers->counts[i] = 0;

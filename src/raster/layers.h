@@ -28,8 +28,10 @@ int burnish_layers_next(const burnish_tile *tile, const burnish_raster_view *vie
  * did, or if no pass is left. Then draw_deeper_layers collects them, to be handed over from the
  * start.
  *   through  per sample: the share of light that passes through its layers so far
+ *   channel  floats from the shares of a channel to those of the next one; 0: all are the same
  *   least    samples that let no more through have had all that matters
  *   passes   [1, BURNISH_LAYER_PASSES], the first one included */
-int burnish_layers_deeper(burnish_tile *tile, const float *through, float least, int passes);
+int burnish_layers_deeper(burnish_tile *tile, const float *through, size_t channel, float least,
+                          int passes);
 
 #endif

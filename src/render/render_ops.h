@@ -10,8 +10,8 @@
 #include "render/space.h"
 #include "simd/isa.h"
 
-/* Normal, colour, position, w, first light, openness, x, y, and BURNISH_TEXTURE_STREAMS. */
-enum { BURNISH_BATCH_STREAMS = 15 + 18 };
+/* Normal, colour, position, w, first light, openness, x, y, facing, and BURNISH_TEXTURE_STREAMS. */
+enum { BURNISH_BATCH_STREAMS = 16 + 18 };
 
 /* Without a lobe, and the family's two: the first of burnish_lobe_body. */
 enum { BURNISH_CODE_BODIES = 4 };
@@ -24,6 +24,7 @@ struct burnish_mesh_view;
 struct burnish_near_cells;
 struct burnish_near_left;
 struct burnish_occlusion_lookup;
+struct burnish_passing;
 struct burnish_primitive;
 struct burnish_shadow_lookup;
 struct burnish_silhouette;
@@ -197,6 +198,14 @@ typedef struct burnish_render_ops {
      * BURNISH_TEXTURE_REFLECTANCE also reflectance and roughness. Reads and writes whole vectors. */
     void (*vary_points)(const struct burnish_textured_material *material, unsigned sampled,
                         size_t count, struct burnish_texture_scratch *scratch);
+
+    /* What passes through count points, in scratch: passed and transmission, which vary_points has
+     * filled, reflectance, roughness and, if there is its texture, thickness. Fills passed with the
+     * shares that pass, sample[0] to [2] with unit vectors along which refracted rays go, and
+     * sample[3] with the share of light that comes from straight behind instead. Reads and writes
+     * whole vectors. */
+    void (*pass_points)(const struct burnish_passing *passing, size_t count,
+                        struct burnish_texture_scratch *scratch);
 
     /* Exposes count colours and applies the curve, in place. Reads and writes whole vectors. */
     void (*map_tones)(const burnish_tones *tones, size_t count, float *const rgb[3]);

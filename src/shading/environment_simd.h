@@ -411,6 +411,28 @@ static void add_environment(const burnish_environment_constants *constants,
     }
 }
 
+static void see_environment(const burnish_environment_constants *constants,
+                            const burnish_reflecting_material *material,
+                            const float *const direction[3], const float *roughness, size_t count,
+                            float *const rgb[3]) {
+    for (size_t i = 0; i < count; i += LANES) {
+        vf toward[3], color[3];
+        for (int k = 0; k < 3; ++k) {
+            toward[k] = vf_load(direction[k] + i);
+        }
+        environment_turn(constants, toward);
+        const environment_place place = environment_find(toward);
+        if (material->has_levels) {
+            environment_look_up_levels(material->specular, vf_load(roughness + i), &place, color);
+        } else {
+            environment_look_up_one(material->specular, &place, color);
+        }
+        for (int k = 0; k < 3; ++k) { /* a NaN has other bits on other processors */
+            vf_store(rgb[k] + i, vf_max(color[k], vf_set(0.0f)));
+        }
+    }
+}
+
 /* ---- Axes ---- */
 
 /* GGX leans its mirror direction toward N, and is narrower across the plane of N and V: a stretch makes

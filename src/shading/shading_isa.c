@@ -72,6 +72,7 @@ const burnish_shading_ops BURNISH_ISA_TABLE(burnish_shading_ops, VECTOR_WORD) = 
                     [BURNISH_LOBE_BODY_SQUARES] = {mixed_squares, mixed_squares_alike},
                     [BURNISH_LOBE_BODY_COMPOSITE] = {mixed_composite, mixed_composite_alike}},
     .add_environment = add_environment,
+    .see_environment = see_environment,
     .reflect_points = reflect_points,
     .lay_sheen = lay_sheen,
     .polygon_light = polygon_light,

@@ -47,6 +47,13 @@ struct burnish_kernels {
                             const burnish_reflecting_points *each, size_t count,
                             float *const rgb[3]);
 
+    /* What a lobe of the material's roughness (with levels: of each point's) sees of distant light
+     * along unit vectors; there are maps. Reads and writes whole vectors. */
+    void (*see_environment)(const burnish_environment_constants *constants,
+                            const burnish_reflecting_material *material,
+                            const float *const direction[3], const float *roughness, size_t count,
+                            float *const rgb[3]);
+
     /* The axes of the lobes of count points, unit vectors: R, for metallic-roughness moved toward N
      * by alpha^2. With a stretch: GGX's axis and stretch of burnish_light_lobes_near().
      *   roughness  NULL: the material's

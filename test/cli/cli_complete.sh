@@ -43,7 +43,7 @@ if has "completion of bash" bash; then
     offers "--json" burnish render x --js
     offers "1 4 8 16" burnish render x --samples ""
     offers "1 16" burnish render x --samples = 1
-    offers "matte satin plastic polished metal" burnish render x --material =
+    offers "matte satin plastic polished metal glass" burnish render x --material =
     offers "camera" burnish render --help = cam
     offers "--help" burnish render --hel
     offers "" burnish lobe table --help = x

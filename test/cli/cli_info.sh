@@ -130,6 +130,11 @@ run render variants.gltf --size=16 --json -o v.png --variant="deep red"
 check "a variant changes the picture" [ "$(json hash)" != "$without" ]
 expect 2 'burnish: variants.gltf: variant "red" does not exist; the file has plain, deep red' render variants.gltf --variant=red
 
+# Light that passes through glass.
+sed 's/KHR_materials_unlit":{}/KHR_materials_transmission":{"transmissionFactor":1}/' variants.gltf >glass.gltf
+run info glass.gltf --json
+check "transmissive materials: $(cat "$out")" grep -q '"transmissive":[[:space:]]*1' "$out"
+
 # What is wrong with a surface is said.
 box '/^facet/{N;N;N;N;/vertex 0 0 3\nvertex 1 0 3\nvertex 1 2 3/d;}' >open.stl
 run info open.stl

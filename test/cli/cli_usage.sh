@@ -30,7 +30,7 @@ expect 2 'burnish: --light: "disc:1,1,1:1e38,1" is not disc:X,Y,Z:WIDTH,HEIGHT[:
 expect 2 'burnish: --light: "line:1,1" is not line:X,Y,Z:X,Y,Z:RADIUS[:OPTION][:INTENSITY[:COLOR]]: the kind is followed by two positions, as in line:-1,1,0:1,1,0:0.05' render :sphere --light=line:1,1
 expect 2 'burnish: --light: "sun:1,2,3" is not KIND:X,Y,Z[:INTENSITY[:COLOR]]: the kind is directional, point, rect, disc, sphere or line, or one of these after world-; or the whole is none or file' render :sphere --light=sun:1,2,3
 expect 2 'burnish: --ambient: "-1" is not a number from 0 to 16, nor a colour: #rgb, #rrggbb, r,g,b from 0 to 1, or a name' render :sphere --ambient=-1
-expect 2 'burnish: --material: "wood" is not one of matte, satin, plastic, polished, metal' render :sphere --material=wood
+expect 2 'burnish: --material: "wood" is not one of matte, satin, plastic, polished, metal, glass' render :sphere --material=wood
 expect 2 'burnish: sheet: 2 pictures of 16384 x 16 in 2 columns exceed 16384 pixels; use smaller pictures or another number of columns' render :sphere --views=front,top --resolution=16384,16
 expect 2 'burnish: --json: standard output is used for the picture; name a file with --output=FILE or --json=FILE' render - --json
 expect 3 'burnish: /: is a folder; use --output-dir=FOLDER to draw all its meshes' render /

@@ -68,6 +68,9 @@ static burnish_material random_material(int textures) {
     material.coat_roughness = material.sheen_roughness = (float)uniform(0, 1);
     material.sheen[1] = chance(10) ? (float)uniform(0, 1) : 0;
     material.is_unlit = chance(10);
+    material.transmission = chance(30) ? (float)uniform(0, 1) : 0;
+    material.thickness = chance(50) ? (float)uniform(0, 1) : 0;
+    material.attenuation_distance = chance(50) ? (float)uniform(0, 2) : 0;
     material.transparency = one_of(transparencies, 6);
     material.alpha_mode = (burnish_alpha_mode)below(3);
     material.alpha_cutoff = one_of(cutoffs, 5);

@@ -77,6 +77,31 @@ static void apply_preset(const render_preset *preset, int is_wide, burnish_mater
     drop_layers(material);
 }
 
+/* A solid of clear glass, which the object's own colour tints where light enters. */
+static void make_glass(const render_preset *preset, burnish_material *material) {
+    for (int k = 0; k < 3; ++k) {
+        const float base = material->is_metallic ? material->diffuse[k] : material->ambient[k];
+        material->diffuse[k] = material->ambient[k] = material->has_diffuse ? base : 1;
+        material->reflectance[k] = preset->reflectance;
+    }
+    for (int i = 0; i < BURNISH_TEXTURE_SLOT_COUNT; ++i) {
+        if (i != BURNISH_TEXTURE_COLOR && i != BURNISH_TEXTURE_OPACITY &&
+            i != BURNISH_TEXTURE_NORMAL) {
+            memset(&material->textures[i], 0, sizeof material->textures[i]);
+        }
+    }
+    material->metallic = 0;
+    material->roughness = preset->roughness;
+    material->is_metallic = 1;
+    material->is_unlit = 0;
+    material->transmission = 1;
+    material->thickness = 1;
+    material->refractive_index = 1.5F;
+    material->attenuation_distance = 0;
+    material->transparency =
+        material->alpha_mode == BURNISH_ALPHA_MASK ? material->transparency : 0;
+}
+
 /* One material, changed by the flags. */
 static burnish_material adjusted_material(const render_shading_settings *shading,
                                           burnish_material material) {
@@ -87,7 +112,9 @@ static burnish_material adjusted_material(const render_shading_settings *shading
         }
         material.has_diffuse = 1;
     }
-    if (shading->material > 0) {
+    if (shading->material == RENDER_GLASS) {
+        make_glass(&render_presets[RENDER_GLASS - 1], &material);
+    } else if (shading->material > 0) {
         apply_preset(&render_presets[shading->material - 1], has_wide_light(shading), &material);
     }
     if (shading->specular.given || shading->exponent.given) {

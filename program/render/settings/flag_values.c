@@ -14,10 +14,14 @@ const render_preset render_presets[] = {
      0.06F},
     {"metal", "the highlight has the surface's colour", 0.95F, 36.0F, 0.45F, 1.0F, 1.0F, 0.25F,
      0.04F},
+    {"glass", "clear glass, or with *--color* coloured glass", 1.0F, 65536.0F, 1.0F, 0.0F, 0.0F,
+     0.05F, 0.04F},
 };
 
 const cli_word render_preset_words[] = {
-    {"matte", 1}, {"satin", 2}, {"plastic", 3}, {"polished", 4}, {"metal", 5}, {NULL, 0},
+    {"matte", 1},    {"satin", 2}, {"plastic", 3},
+    {"polished", 4}, {"metal", 5}, {"glass", RENDER_GLASS},
+    {NULL, 0},
 };
 
 const cli_word render_plane_words[] = {

@@ -14,6 +14,8 @@ typedef struct render_preset {
     float metallic, roughness, reflectance; /* in light from many directions */
 } render_preset;
 
+enum { RENDER_GLASS = 6 }; /* the word whose preset lets light pass */
+
 /* The presets in the order of render_preset_words, whose values are 1 + their indices. */
 extern const render_preset render_presets[];
 extern const cli_word render_preset_words[];

@@ -47,9 +47,9 @@ const burnish_texture *burnish_mesh_get_texture(const burnish_mesh *mesh, size_t
 /* ---- Checks ---- */
 
 static const char *const slot_names[BURNISH_TEXTURE_SLOT_COUNT] = {
-    "color",    "specular",       "exponent",   "metallic_roughness", "normal",
-    "emissive", "occlusion",      "opacity",    "sheen_color",        "sheen_roughness",
-    "coat",     "coat_roughness", "coat_normal"};
+    "color",       "specular",        "exponent", "metallic_roughness", "normal",
+    "emissive",    "occlusion",       "opacity",  "transmission",       "thickness",
+    "sheen_color", "sheen_roughness", "coat",     "coat_roughness",     "coat_normal"};
 
 static burnish_status check_use(const burnish_texture_use *use, int slot, size_t texture_count,
                                 const char *name, burnish_error *error) {
@@ -88,11 +88,10 @@ burnish_status burnish_check_material(const burnish_material *material, size_t t
     const struct {
         const char *word;
         const float *values;
-    } colors[] = {{"ambient", material->ambient},
-                  {"diffuse", material->diffuse},
-                  {"specular", material->specular},
-                  {"reflectance", material->reflectance},
-                  {"sheen", material->sheen}};
+    } colors[] = {
+        {"ambient", material->ambient},   {"diffuse", material->diffuse},
+        {"specular", material->specular}, {"reflectance", material->reflectance},
+        {"sheen", material->sheen},       {"attenuation_color", material->attenuation_color}};
     const struct {
         const char *word;
         float value, least, most;
@@ -107,6 +106,10 @@ burnish_status burnish_check_material(const burnish_material *material, size_t t
                    {"coat", material->coat, 0, 1},
                    {"coat_roughness", material->coat_roughness, 0, 1},
                    {"alpha_cutoff", material->alpha_cutoff, 0, 1},
+                   {"transmission", material->transmission, 0, 1},
+                   {"thickness", material->thickness, 0, 1e30f},
+                   {"refractive_index", material->refractive_index, 0, 1e30f},
+                   {"attenuation_distance", material->attenuation_distance, 0, 1e30f},
                    {"alpha_mode", (float)material->alpha_mode, 0, BURNISH_ALPHA_BLEND}};
     for (int i = 0; i < 15; ++i) {
         const float value = colors[i / 3].values[i % 3];
@@ -117,7 +120,7 @@ burnish_status burnish_check_material(const burnish_material *material, size_t t
     }
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; ++i) {
         if (!(numbers[i].value >= numbers[i].least && numbers[i].value <= numbers[i].most)) {
-            return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: %s is %g, not in [%.0f, %.0f]",
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "%s: %s is %g, not in [%g, %.7g]",
                                 name, numbers[i].word, (double)numbers[i].value,
                                 (double)numbers[i].least, (double)numbers[i].most);
         }

@@ -9,14 +9,16 @@ _Static_assert((int)BURNISH_LAYERS_MAX *(int)BURNISH_LAYER_PASSES == BURNISH_TRA
 
 burnish_layer_light *burnish_layer_light_create(int samples, burnish_memory *memory) {
     const size_t size =
-        sizeof(burnish_layer_light) + (size_t)samples * BURNISH_TILE_PIXELS * sizeof(float);
+        sizeof(burnish_layer_light) + 3 * (size_t)samples * BURNISH_TILE_PIXELS * sizeof(float);
     return burnish_allocate(memory, size, 1, "layers");
 }
 
-void burnish_layer_light_clear(burnish_layer_light *layers, int samples) {
+void burnish_layer_light_clear(burnish_layer_light *layers, int samples, int has_channels) {
+    const size_t count = (size_t)samples * BURNISH_TILE_PIXELS;
+    layers->channel = has_channels ? count : 0;
     memset(layers->light, 0, sizeof layers->light);
     memset(layers->covered, 0, sizeof layers->covered);
-    for (size_t i = 0; i < (size_t)samples * BURNISH_TILE_PIXELS; ++i) {
+    for (size_t i = 0; i < (has_channels ? 3 : 1) * count; ++i) {
         layers->through[i] = 1.0f;
     }
 }
@@ -33,24 +35,28 @@ static float opacity_of(const burnish_surface *surface, const burnish_fragments 
     return opacity < 0 ? 0 : opacity > 1 ? 1 : opacity;
 }
 
-/* Lays samples of opacity `opacity` times `cover` (NULL: 1) of fragment i after the layers so far;
- * returns what of its light is seen. */
+/* Lays samples of opacity `opacity` times cover (NULL: 1) of fragment i after the layers so far in
+ * channel k; returns what of its light is seen. */
 static float lay_samples(burnish_layer_light *layers, const burnish_fragments *fragments, int i,
-                         float (*cover)[BURNISH_TEXTURE_BATCH], float opacity, int samples) {
-    const int pixel = fragments->pixels[i];
-    const unsigned bits = fragments->samples[i];
-    float seen = 0;
-    if (!cover) {
-        seen = opacity * burnish_layers_through(layers, samples, pixel, bits);
-    }
-    for (unsigned rest = bits; rest; rest &= rest - 1) {
+                         const burnish_layer_values *values, float opacity, int k) {
+    const int pixel = fragments->pixels[i], samples = values->samples;
+    const float blocked = values->passed ? 1.0f - values->passed[k][i] : 1.0f;
+    const float left = 1.0f - opacity * blocked;
+    float(*cover)[BURNISH_TEXTURE_BATCH] = values->cover;
+    float *shares = layers->through + (size_t)k * layers->channel, seen = 0;
+    for (unsigned rest = fragments->samples[i]; rest; rest &= rest - 1) {
         const int s = __builtin_ctz(rest);
-        float *through = &layers->through[burnish_sample_index(samples, pixel, s)];
-        const float covered = cover ? opacity * cover[s][i] : opacity;
-        seen += cover ? covered * *through : 0;
-        *through *= 1.0f - covered;
+        float *through = &shares[burnish_sample_index(samples, pixel, s)];
+        if (cover) {
+            const float covered = opacity * cover[s][i];
+            seen += covered * *through;
+            *through *= 1.0f - covered * blocked;
+        } else {
+            seen += *through;
+            *through *= left;
+        }
     }
-    return seen;
+    return cover ? seen : opacity * seen;
 }
 
 /* Whether a mask leaves some of fragment i. */
@@ -75,9 +81,11 @@ void burnish_layer_light_add(burnish_layer_light *layers, const burnish_surface 
         if (textured <= 0 || !is_there(fragments, i, values->cover)) {
             continue; /* nothing is there */
         }
-        const float seen =
-            lay_samples(layers, fragments, i, values->cover, opacity, values->samples);
+        float seen = lay_samples(layers, fragments, i, values, opacity, 0);
         for (int k = 0; rgb && k < 3; ++k) {
+            if (k > 0 && layers->channel) {
+                seen = lay_samples(layers, fragments, i, values, opacity, k);
+            }
             const float value = rgb[k][i];
             layers->light[k][pixel] += seen * (value < values->limit ? value : values->limit);
         }

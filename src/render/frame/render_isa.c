@@ -8,6 +8,7 @@
 #include "render/light/shadow_simd.h"
 #include "render/render_ops.h"
 #include "render/texture/mask_simd.h"
+#include "render/texture/passing_simd.h"
 #include "render/texture/texture_points_simd.h"
 #include "render/texture/texture_simd.h"
 #include "render/texture/texture_surface_simd.h"
@@ -37,6 +38,7 @@ const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD) = {
     OP(interpolate_tangents),
     OP(turn_normals),
     OP(vary_points),
+    OP(pass_points),
     OP(map_tones),
     OP(encode_pixels),
     OP(pack_groups),

@@ -82,6 +82,9 @@ void burnish_shade_material(const burnish_shading *shading, const burnish_fragme
     if (shading->area) {
         burnish_area_add(shading->area, shading->kernels, shading->ops, &lit, rgb);
     }
+    if (texturing && texturing->materials[material].passes) {
+        burnish_pass_light(shading, points, material, count, scratch, rgb);
+    }
 }
 
 static int has_one_material(const burnish_fragment_batch *batch) {
@@ -167,6 +170,9 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
         add_stream(&streams, batch->points.x_offset, group->x);
         add_stream(&streams, batch->points.y_offset, group->y);
     }
+    if (shading->texturing && shading->texturing->has_passing) {
+        add_stream(&streams, scratch->facing, group->facing);
+    }
     burnish_fragment_batch part = {.points = batch->points};
     part.points.x_offset = group->x;
     part.points.y_offset = group->y;
@@ -203,6 +209,7 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
             if (shading->texturing && shading->texturing->materials[material].is_alpha) {
                 scatter_opacity(shading, batch, material, size, scratch);
             }
+            burnish_keep_passed(shading, batch->material, material, size, scratch);
         }
     }
 }
@@ -249,6 +256,7 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
             burnish_add_bounces(shading, &points, batch->count, material, scratch->share.open,
                                 &scratch->texture, rgb);
         }
+        burnish_keep_passed(shading, NULL, material, batch->count, scratch);
         if (shading->texturing && shading->texturing->materials[material].is_alpha) {
             memcpy(scratch->texture.alpha, scratch->texture.opacity, sizeof scratch->texture.alpha);
             for (int s = 0; s < smooth_samples(shading, material, scratch); ++s) {
@@ -308,7 +316,7 @@ static const float PIXEL_Y[BURNISH_BLOCK_ROW_PIXELS] = {
 _Static_assert((int)BURNISH_BLOCK_ROW_PIXELS == 256 &&
                    (int)BURNISH_BLOCK_ROW_PIXELS <= (int)BURNISH_SHADE_BATCH,
                "a row of blocks is one batch");
-_Static_assert((int)BURNISH_BATCH_STREAMS == 15 + (int)BURNISH_TEXTURE_STREAMS, "all streams fit");
+_Static_assert((int)BURNISH_BATCH_STREAMS == 16 + (int)BURNISH_TEXTURE_STREAMS, "all streams fit");
 _Static_assert((int)BURNISH_FRAGMENT_BATCH <= (int)BURNISH_SHADE_BATCH,
                "so is a group of fragments");
 
@@ -496,7 +504,7 @@ static void gather_fragments(const burnish_surface *surface, burnish_fragments *
     for (int i = 0; i < fragments->count; ++i) {
         const burnish_primitive *primitive = &fragments->primitives[i];
         const float weight1 = fragments->weight1[i], weight2 = fragments->weight2[i];
-        const float side = primitive->id_and_facing & 1 ? -1.0f : 1.0f;
+        const float side = scratch->facing[i] = primitive->id_and_facing & 1 ? -1.0f : 1.0f;
         const burnish_float4 normal =
             surface->points
                 ? point_normal(surface, fragments, i)

@@ -111,7 +111,7 @@ typedef struct burnish_material_group {
     float normal[3][BURNISH_SHADE_BATCH], diffuse[3][BURNISH_SHADE_BATCH];
     float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
     float lit[BURNISH_SHADE_BATCH], open[2][BURNISH_SHADE_BATCH];
-    float x[BURNISH_SHADE_BATCH], y[BURNISH_SHADE_BATCH];
+    float x[BURNISH_SHADE_BATCH], y[BURNISH_SHADE_BATCH], facing[BURNISH_SHADE_BATCH];
     float light[3][BURNISH_SHADE_BATCH];
     int32_t left[BURNISH_SHADE_BATCH];   /* materials not shaded yet, -1 for the others */
     uint8_t starts[BURNISH_SHADE_BATCH]; /* of each vector: its first item in the batch */
@@ -133,9 +133,10 @@ typedef struct burnish_fragment_scratch {
     burnish_share_scratch share;
     burnish_texture_scratch texture;
     burnish_near_scratch near;
-    burnish_near_cells cells;         /* of the tile */
-    float hatch[BURNISH_SHADE_BATCH]; /* of fragments: burnish_cap_hatch */
-    burnish_code_direction known;     /* of the tile */
+    burnish_near_cells cells;          /* of the tile */
+    float hatch[BURNISH_SHADE_BATCH];  /* of fragments: burnish_cap_hatch */
+    float facing[BURNISH_SHADE_BATCH]; /* of fragments: 1: the front is seen; -1 */
+    burnish_code_direction known;      /* of the tile */
 } burnish_fragment_scratch;
 
 /* A row of blocks: what its pixels show, and the colours of the simple ones. Those of others are
@@ -189,6 +190,19 @@ void burnish_add_bounces(const burnish_shading *shading, const burnish_kernels_p
 /* The same of a batch of several materials without textures or vertex colours. */
 void burnish_add_bounces_mixed(const burnish_shading *shading, const burnish_fragment_batch *batch,
                                burnish_fragment_scratch *scratch, float *const rgb[3]);
+
+/* ---- Light that passes (transmission.c) ---- */
+
+/* Writes to scratch->texture.passed what of the light from straight behind passes through points of
+ * a material that `passes`, just shaded, and adds to their colours what is refracted. */
+void burnish_pass_light(const burnish_shading *shading, const burnish_kernels_points *points,
+                        int material, int count, burnish_fragment_scratch *scratch,
+                        float *const rgb[3]);
+
+/* Copies it to scratch->texture.through, if light passes through the material.
+ *   materials  of the batch, of which scratch->group has `material`; NULL: it is the only one */
+void burnish_keep_passed(const burnish_shading *shading, const int32_t *materials, int material,
+                         int size, burnish_fragment_scratch *scratch);
 
 /* ---- Tiles and their fragments (surface.c) ---- */
 

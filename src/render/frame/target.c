@@ -87,16 +87,28 @@ burnish_status burnish_target_check(const burnish_target *target,
 
 /* ---- Resolve ---- */
 
+/* What passes to the samples `bits` of a pixel, of each channel. */
+static void find_through(const burnish_layer_light *layers, int samples, int pixel, unsigned bits,
+                         float through[3]) {
+    through[0] = through[1] = through[2] = burnish_layers_through(layers, samples, 0, pixel, bits);
+    for (int k = 1; k < 3 && layers->channel; ++k) {
+        through[k] = burnish_layers_through(layers, samples, k, pixel, bits);
+    }
+}
+
 static void add_light(burnish_tile_sums *sums, const burnish_fragments *fragments,
                       const float *const rgb[3], int samples, float limit) {
     for (int i = 0; i < fragments->count; ++i) {
         const int pixel = fragments->pixels[i];
-        const float weight = sums->layers ? burnish_layers_through(sums->layers, samples, pixel,
-                                                                   fragments->samples[i])
-                                          : (float)fragments->weight[i];
+        float weight[3] = {(float)fragments->weight[i]};
+        if (sums->layers) {
+            find_through(sums->layers, samples, pixel, fragments->samples[i], weight);
+        } else {
+            weight[1] = weight[2] = weight[0];
+        }
         for (int k = 0; k < 3; ++k) {
             const float value = rgb[k][i];
-            sums->light[k][pixel] += weight * (value < limit ? value : limit);
+            sums->light[k][pixel] += weight[k] * (value < limit ? value : limit);
         }
         sums->covered[pixel] = (uint8_t)(sums->covered[pixel] + fragments->weight[i]);
     }
@@ -150,19 +162,23 @@ static void resolve_layered_pixel(const burnish_output *output, const burnish_ti
         const float depth = tile->buffer.depths[burnish_sample_index(samples, pixel, s)];
         empty |= (unsigned)(depth == BURNISH_FARTHEST) << s;
     }
-    const float passed =
-        is_simple ? burnish_layers_through(sums->layers, samples, pixel, all) : 0.0f;
-    const float missing = burnish_layers_through(sums->layers, samples, pixel, empty);
-    const float alpha = (float)samples - missing;
+    float passed[3], missing[3];
+    find_through(sums->layers, samples, pixel, is_simple ? all : 0, passed);
+    find_through(sums->layers, samples, pixel, empty, missing);
+    float least = missing[0] < missing[1] ? missing[0] : missing[1];
+    least = missing[2] < least ? missing[2] : least;
+    const float alpha = (float)samples - least;
     for (int k = 0; k < 3; ++k) {
         const float value = row->rgb[k][i] < output->limit ? row->rgb[k][i] : output->limit;
         float sum = sums->layers->light[k][pixel];
-        sum += is_simple ? passed * value : samples > 1 ? sums->light[k][pixel] : 0.0f;
-        if (output->transparent) {
-            row->rgb[k][i] = alpha > 0 ? sum / alpha : 0.0f;
+        sum += is_simple ? passed[k] * value : samples > 1 ? sums->light[k][pixel] : 0.0f;
+        if (output->transparent) { /* as in front of white, which shows the tint */
+            row->rgb[k][i] = alpha > 0 ? (sum + (missing[k] - least)) / alpha : 0.0f;
+            missing[k] = least;
         } else {
-            row->rgb[k][i] = (sum + missing * output->background_light[k]) / (float)samples;
+            row->rgb[k][i] = (sum + missing[k] * output->background_light[k]) / (float)samples;
         }
+        sums->layers->behind[k][pixel] = missing[k] / (float)samples;
     }
     sums->layers->alpha[pixel] = alpha / (float)samples;
     row->pixels.simple[i] = is_simple ? row->pixels.simple[i] : 0; /* it shows something */
@@ -354,21 +370,24 @@ static int find_shadow(const burnish_output *output, const burnish_tile *tile, i
     return is_dark;
 }
 
-/* The part of a pixel that shows background. sums: NULL where nothing else is. */
-static float background_share(const burnish_output *output, const burnish_tile_sums *sums,
-                              int number, const burnish_row_light *row, int i) {
+/* The part of a pixel that shows background, in each channel. sums: NULL where nothing else is. */
+static void find_shares(const burnish_output *output, const burnish_tile_sums *sums, int number,
+                        const burnish_row_light *row, int i, float shares[3]) {
     const int pixel = number * BURNISH_BLOCK_ROW_PIXELS + i;
     const unsigned block = (unsigned)i / BURNISH_BLOCK_PIXELS;
-    if (!sums) {
-        return 1.0f;
+    float share = 1.0f;
+    int differ = 0;
+    if (sums && layered_pixels(sums, number, (int)block) >> i % BURNISH_BLOCK_PIXELS & 1) {
+        share = 1.0f - sums->layers->alpha[pixel];
+        differ = sums->layers->channel > 0;
+    } else if (sums && (row->pixels.simple[i] >= 0 || output->samples == 1)) {
+        share = row->pixels.simple[i] >= 0 ? 0.0f : 1.0f;
+    } else if (sums) {
+        share = (float)(output->samples - sums->covered[pixel]) / (float)output->samples;
     }
-    if (layered_pixels(sums, number, (int)block) >> i % BURNISH_BLOCK_PIXELS & 1) {
-        return 1.0f - sums->layers->alpha[pixel];
+    for (int k = 0; k < 3; ++k) {
+        shares[k] = differ ? sums->layers->behind[k][pixel] : share;
     }
-    if (row->pixels.simple[i] >= 0 || output->samples == 1) {
-        return row->pixels.simple[i] >= 0 ? 0.0f : 1.0f;
-    }
-    return (float)(output->samples - sums->covered[pixel]) / (float)output->samples;
 }
 
 /* Adds the environment, darkened by a shadow, where a resolved row shows background, which is black
@@ -377,13 +396,13 @@ static void add_backdrop(const burnish_output *output, const burnish_tile *tile,
                          const burnish_tile_sums *sums, int number, const float *shadow,
                          burnish_row_light *row) {
     const burnish_tones *tones = &output->view->shading.tones;
-    float share[BURNISH_BLOCK_ROW_PIXELS], light[3][BURNISH_BLOCK_ROW_PIXELS];
+    float share[BURNISH_BLOCK_ROW_PIXELS][3], light[3][BURNISH_BLOCK_ROW_PIXELS];
     float *const rgb[3] = {light[0], light[1], light[2]};
     for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
         const int pixel = number * BURNISH_BLOCK_ROW_PIXELS + i;
         float seen[3] = {0, 0, 0};
-        share[i] = background_share(output, sums, number, row, i);
-        if (share[i] != 0) {
+        find_shares(output, sums, number, row, i, share[i]);
+        if (share[i][0] > 0 || share[i][1] > 0 || share[i][2] > 0) {
             burnish_backdrop_light(output->backdrop, tile->x + burnish_pixel_x(pixel),
                                    tile->y + burnish_pixel_y(pixel), seen);
         }
@@ -395,10 +414,12 @@ static void add_backdrop(const burnish_output *output, const burnish_tile *tile,
         output->ops->map_tones(tones, BURNISH_BLOCK_ROW_PIXELS, rgb);
     }
     for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
-        for (int k = 0; k < 3 && share[i] != 0; ++k) {
+        for (int k = 0; k < 3; ++k) {
             const float value = light[k][i] < output->limit ? light[k][i] : output->limit;
-            row->rgb[k][i] =
-                (share[i] < 1 ? row->rgb[k][i] : 0) + share[i] * (1 - shadow[i]) * value;
+            const float part = share[i][k];
+            if (part != 0) {
+                row->rgb[k][i] = (part < 1 ? row->rgb[k][i] : 0) + part * (1 - shadow[i]) * value;
+            }
         }
     }
 }
@@ -416,10 +437,11 @@ static void darken_background(const burnish_output *output, const burnish_tile_s
         }
     }
     for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS && sums; ++i) {
-        const float share = background_share(output, sums, number, row, i);
-        const float dark = share * shadow[i], before = 1.0f - share;
-        alpha[i] = output->transparent ? before + dark : 1.0f;
+        float share[3];
+        find_shares(output, sums, number, row, i, share);
+        alpha[i] = output->transparent ? (1.0f - share[0]) + share[0] * shadow[i] : 1.0f;
         for (int k = 0; k < 3; ++k) {
+            const float dark = share[k] * shadow[i], before = 1.0f - share[k];
             float *light = &row->rgb[k][i];
             const float background = output->background_light[k];
             if (output->transparent) {

@@ -12,32 +12,37 @@
 
 /* layer_light.c: from the layers of a tile to their light.
  *
- * A layer of opacity a and colour C in front of light L gives a C + (1 - a) L. This is computed per
- * sample, in linear light, from the nearest layer to the farthest. A layer's opacity is its
- * material's times its vertices', interpolated as a colour is, times its textures'. A masked
- * material is wholly opaque or not there, sample by sample; where its texels are smaller than
- * pixels, samples are as opaque as the area is that the mask leaves. */
+ * A layer of opacity a and colour C in front of light L gives a C + (1 - a) L, and a (C + T L) +
+ * (1 - a) L if a share T of each colour passes. This is computed per sample, in linear light, from
+ * the nearest layer to the farthest. A layer's opacity is its material's times its vertices',
+ * interpolated as a colour is, times its textures'. A masked material is wholly opaque or not there,
+ * sample by sample; where its texels are smaller than pixels, samples are as opaque as the area is
+ * that the mask leaves. */
 
 /* What a tile's layers come to. Pixels that no layer covers have no light and let all through. */
 typedef struct burnish_layer_light {
-    float light[3][BURNISH_TILE_PIXELS];                         /* sum over a pixel's samples */
-    float alpha[BURNISH_TILE_PIXELS];                            /* of stored pixels */
+    float light[3][BURNISH_TILE_PIXELS];  /* sum over a pixel's samples */
+    float alpha[BURNISH_TILE_PIXELS];     /* of stored pixels */
+    float behind[3][BURNISH_TILE_PIXELS]; /* the background's shares, if channels differ */
     uint16_t covered[BURNISH_TILE_BLOCKS * BURNISH_TILE_BLOCKS]; /* bit i: pixel i of the block */
+    size_t channel;  /* floats from a channel's shares to the next one's; 0: all are the same */
     float through[]; /* per sample: the share of light that passes through its layers */
 } burnish_layer_light;
 
 /* NULL if memory runs out. */
 burnish_layer_light *burnish_layer_light_create(int samples, burnish_memory *memory);
 
-void burnish_layer_light_clear(burnish_layer_light *layers, int samples);
+/* has_channels: 1: each channel has shares of its own. */
+void burnish_layer_light_clear(burnish_layer_light *layers, int samples, int has_channels);
 
 /* Light and opacity of fragments. */
 typedef struct burnish_layer_values {
-    const float *const *rgb;               /* NULL: nothing is shaded */
-    const float *alpha;                    /* what textures leave of the opacity; NULL: all */
-    float (*cover)[BURNISH_TEXTURE_BATCH]; /* what masks leave of it, per sample; NULL: all */
-    int samples;                           /* per pixel */
-    float limit;                           /* light is clamped to it */
+    const float *const *rgb;                /* NULL: nothing is shaded */
+    const float *alpha;                     /* what textures leave of the opacity; NULL: all */
+    float (*cover)[BURNISH_TEXTURE_BATCH];  /* what masks leave of it, per sample; NULL: all */
+    float (*passed)[BURNISH_TEXTURE_BATCH]; /* what passes of each channel; NULL: nothing */
+    int samples;                            /* per pixel */
+    float limit;                            /* light is clamped to it */
 } burnish_layer_values;
 
 /* Adds fragments after, that is farther than, those before. */
@@ -45,12 +50,13 @@ void burnish_layer_light_add(burnish_layer_light *layers, const burnish_surface 
                              const burnish_fragments *fragments,
                              const burnish_layer_values *values);
 
-/* Sum of what passes to the samples `bits` of a pixel. */
-static inline float burnish_layers_through(const burnish_layer_light *layers, int samples,
+/* Sum of what passes of channel k to the samples `bits` of a pixel. */
+static inline float burnish_layers_through(const burnish_layer_light *layers, int samples, int k,
                                            int pixel, unsigned bits) {
+    const float *through = layers->through + (size_t)k * layers->channel;
     float sum = 0;
     for (; bits; bits &= bits - 1) {
-        sum += layers->through[burnish_sample_index(samples, pixel, __builtin_ctz(bits))];
+        sum += through[burnish_sample_index(samples, pixel, __builtin_ctz(bits))];
     }
     return sum;
 }

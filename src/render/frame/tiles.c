@@ -66,11 +66,15 @@ static void shade_pass(const burnish_frame *frame, const burnish_surface *surfac
     burnish_texture_scratch *textures = &worker->scratch.texture;
     const int has_alpha = wanted && texturing && texturing->has_alpha;
     const int has_covers = has_alpha && texturing->smooth_samples;
-    const burnish_layer_values values = {wanted ? shaded : NULL, has_alpha ? textures->alpha : NULL,
+    const burnish_layer_values values = {wanted ? shaded : NULL,
+                                         has_alpha ? textures->alpha : NULL,
                                          has_covers ? textures->covers : NULL,
-                                         frame->output.samples, frame->output.limit};
+                                         worker->layers->channel ? textures->through : NULL,
+                                         frame->output.samples,
+                                         frame->output.limit};
     burnish_layer_cursor cursor = {0};
     while (burnish_layers_next(tile, surface->view, frame->geometry, &cursor, fragments)) {
+        memset(textures->through, 0, values.passed ? sizeof textures->through : 0);
         burnish_shade_fragments(surface, tile, fragments, &worker->scratch, wanted ? light : NULL);
         burnish_layer_light_add(worker->layers, surface, fragments, &values);
         for (int i = 0; i < fragments->count && frame->drawn; ++i) {
@@ -93,9 +97,13 @@ static void shade_layers(const burnish_frame *frame, const burnish_bins *bins,
         return;
     }
     worker->sums.layers = worker->layers;
-    burnish_layer_light_clear(worker->layers, frame->output.samples);
+    const burnish_texturing *texturing = surface.shading->texturing;
+    const int wanted = frame->output.target.pixels.pixels != NULL;
+    burnish_layer_light_clear(worker->layers, frame->output.samples,
+                              wanted && texturing && texturing->has_passing);
     shade_pass(frame, &surface, worker);
-    while (burnish_layers_deeper(tile, worker->layers->through, UNSEEN, frame->layer_passes)) {
+    while (burnish_layers_deeper(tile, worker->layers->through, worker->layers->channel, UNSEEN,
+                                 frame->layer_passes)) {
         frame->ops->draw_deeper_layers(tile, frame->geometry, bins, column, row);
         shade_pass(frame, &surface, worker);
     }

@@ -262,9 +262,9 @@ static const burnish_textured_material *masked_material(const burnish_mesh_view 
     const size_t number = mesh->triangle_materials ? mesh->triangle_materials[triangle] : 0;
     const burnish_textured_material *material =
         transparency->texturing ? &transparency->texturing->materials[number] : NULL;
-    return material && material->is_alpha && material->material.alpha_mode == BURNISH_ALPHA_MASK
-               ? material
-               : NULL;
+    const int is_masked = material && material->is_alpha && !material->passes &&
+                          material->material.alpha_mode == BURNISH_ALPHA_MASK;
+    return is_masked ? material : NULL;
 }
 
 /* Pieces with edges of at most so long; returns 0 where they are too many. */

@@ -136,6 +136,9 @@ static burnish_status set_material(burnish_texturing *texturing, const burnish_m
     to->has_normals = to->samplers[BURNISH_TEXTURE_NORMAL].levels != NULL;
     to->is_varied &= !from->is_unlit;
     to->is_alpha = has_alpha(to);
+    to->passes = from->is_metallic && !from->is_unlit && from->transmission > 0 &&
+                 !(texturing->mesh->point_radius > 0);
+    to->material.transmission = to->passes ? from->transmission : 0;
     to->is_smooth = to->is_alpha && is_smooth_mask(texturing, from);
     to->mask_alpha = mask_alpha(from);
     to->is_special = to->has_textures || to->is_varied || to->is_alpha || from->emissive[0] > 0 ||
@@ -184,6 +187,7 @@ burnish_status burnish_texturing_update(burnish_texturing *texturing,
     const size_t count = drawn->material_count + drawn->coat_count;
     texturing->has_some = texturing->needs_points = texturing->has_alpha = 0;
     texturing->needs_tangents = texturing->needs_second = texturing->smooth_samples = 0;
+    texturing->has_passing = 0;
     texturing->samples = samples;
     for (size_t i = 0; i < drawn->material_count && !texturing->has_some; ++i) {
         texturing->has_some = is_special(burnish_mesh_get_material(mesh, i));
@@ -215,6 +219,7 @@ burnish_status burnish_texturing_update(burnish_texturing *texturing,
         texturing->needs_points |= material->has_textures;
         texturing->needs_tangents |= material->has_normals;
         texturing->has_alpha |= material->is_alpha;
+        texturing->has_passing |= material->passes;
         texturing->smooth_samples = material->is_smooth ? samples : texturing->smooth_samples;
     }
     return status;

@@ -84,6 +84,7 @@ typedef struct burnish_textured_material {
     int is_varied;    /* 1: more than its colour differs from point to point */
     int is_alpha;     /* 1: alpha is below 1 somewhere */
     int is_smooth;    /* 1: a mask that is decided sample by sample */
+    int passes;       /* 1: light passes through it, and its triangles are transparent */
     float mask_alpha; /* MASK: the alpha from which on something is there */
     burnish_texture_sampler samplers[BURNISH_TEXTURE_SLOT_COUNT];
 } burnish_textured_material;
@@ -95,6 +96,7 @@ typedef struct burnish_texturing {
     int needs_tangents;    /* 1: some have normal textures */
     int needs_second;      /* 1: some textures use the second texture coordinates */
     int has_alpha;         /* 1: some have alpha below 1 */
+    int has_passing;       /* 1: light passes through some */
     int wants_reflectance; /* 1: light comes from many directions; the caller's to set */
     int samples;           /* of a pixel */
     int smooth_samples;    /* the same, where masks are decided sample by sample; 0: none is */
@@ -175,6 +177,9 @@ typedef struct burnish_texture_scratch {
     float sheen[4][BURNISH_TEXTURE_BATCH]; /* factors of its colour and roughness */
     float opacity[BURNISH_TEXTURE_BATCH];  /* of points of one material */
     float alpha[BURNISH_TEXTURE_BATCH];    /* of the batch: what textures leave of the opacity */
+    float transmission[BURNISH_TEXTURE_BATCH], thickness[BURNISH_TEXTURE_BATCH]; /* texels */
+    float passed[3][BURNISH_TEXTURE_BATCH];  /* of points of one material: light that passes */
+    float through[3][BURNISH_TEXTURE_BATCH]; /* of the batch */
     /* What masks leave of each sample of a pixel: of points of one material, and of the batch,
      * where some are smoothed. */
     int has_shifts; /* 1: points are fragments of layers, and some masks are smoothed */
@@ -184,6 +189,15 @@ typedef struct burnish_texture_scratch {
     float mixed[BURNISH_TEXTURE_SECOND][BURNISH_TEXTURE_BATCH]; /* their pixels */
     float part[BURNISH_MAX_SAMPLES / 4][BURNISH_TEXTURE_BATCH];
 } burnish_texture_scratch;
+
+/* Points of one material through which light passes. */
+typedef struct burnish_passing {
+    const burnish_material *material;
+    const burnish_kernels_shader *shader; /* has the viewer */
+    const burnish_kernels_points *points; /* their position and w, if the viewer is near */
+    const float *normal[3], *facing;      /* facing: above 0: the front is seen */
+    int has_thickness;                    /* 1: there is a texture of it */
+} burnish_passing;
 
 /* Points of one special material that are shaded together. */
 typedef struct burnish_texture_batch {

@@ -98,6 +98,12 @@ static unsigned sample_coefficients(const burnish_texture_batch *batch) {
         {BURNISH_TEXTURE_OCCLUSION, RED, {scratch->open, sample[1], sample[2], sample[3]}},
         {BURNISH_TEXTURE_SPECULAR, COLOR, {specular[0], specular[1], specular[2], sample[3]}},
         {BURNISH_TEXTURE_EXPONENT, RED, {scratch->exponent, sample[1], sample[2], sample[3]}},
+        {BURNISH_TEXTURE_TRANSMISSION,
+         RED,
+         {scratch->transmission, sample[1], sample[2], sample[3]}},
+        {BURNISH_TEXTURE_THICKNESS,
+         GREEN_BLUE,
+         {sample[0], scratch->thickness, sample[2], sample[3]}},
         {BURNISH_TEXTURE_METALLIC_ROUGHNESS,
          GREEN_BLUE,
          {sample[0], sample[1], sample[2], sample[3]}}};
@@ -126,7 +132,8 @@ static void shade_varied(const burnish_texturing *texturing, const burnish_textu
     if (has_normals) {
         turn_normals(batch, points);
     }
-    const unsigned wanted = (unsigned)texturing->wants_reflectance << BURNISH_TEXTURE_REFLECTANCE;
+    const unsigned wanted = (unsigned)(texturing->wants_reflectance | batch->material->passes)
+                            << BURNISH_TEXTURE_REFLECTANCE;
     batch->ops->vary_points(batch->material, sample_coefficients(batch) | wanted,
                             (size_t)batch->count, scratch);
     for (int k = 0; k < 3; ++k) {

@@ -88,10 +88,10 @@ typedef struct texture_coefficients {
     vf roughness; /* METALLIC_ROUGHNESS's; 0 for Phong */
 } texture_coefficients;
 
-/* Metal's parameters become coefficients: shading.h has the formulas. */
+/* Metal's parameters become coefficients: shading.h has the formulas. Of light that passes, the
+ * share before Fresnel's stays in scratch, with and without the base colour. */
 BURNISH_INLINE void texture_metal(const burnish_material *from, unsigned sampled, size_t i,
-                                  const burnish_texture_scratch *scratch,
-                                  texture_coefficients *to) {
+                                  burnish_texture_scratch *scratch, texture_coefficients *to) {
     const vf one = vf_set(1.0f), two = vf_set(2.0f);
     vf roughness = vf_set(from->roughness), metallic = vf_set(from->metallic);
     if (sampled >> BURNISH_TEXTURE_METALLIC_ROUGHNESS & 1) {
@@ -102,6 +102,13 @@ BURNISH_INLINE void texture_metal(const burnish_material *from, unsigned sampled
     const vf squared = vf_mul(roughness, roughness), alpha2 = vf_mul(squared, squared);
     const vf wanted = vf_sub(vf_div(two, vf_max(alpha2, vf_set(0x1p-20f))), two);
     to->exponent = vf_max(vf_min(wanted, vf_set(65536.0f)), one);
+    vf passing = vf_set(from->transmission);
+    if (sampled >> BURNISH_TEXTURE_TRANSMISSION & 1) {
+        passing = vf_mul(passing, vf_load(scratch->transmission + i));
+    }
+    if (from->transmission > 0) {
+        vf_store(scratch->transmission + i, vf_mul(passing, vf_sub(one, metallic)));
+    }
     for (int k = 0; k < 3; ++k) {
         const vf base = vf_mul(vf_set(from->diffuse[k]), vf_load(scratch->diffuse[k] + i));
         const vf rest = vf_sub(one, metallic);
@@ -112,6 +119,11 @@ BURNISH_INLINE void texture_metal(const burnish_material *from, unsigned sampled
         }
         to->specular[k] = vf_add(vf_mul(reflectance, rest), vf_mul(base, metallic));
         to->diffuse[k] = vf_mul(base, rest);
+        if (from->transmission > 0) {
+            vf_store(scratch->passed[k] + i, vf_mul(to->diffuse[k], passing));
+            to->diffuse[k] = vf_mul(to->diffuse[k], vf_sub(one, passing));
+            to->ambient[k] = vf_mul(base, vf_sub(one, vf_mul(rest, passing)));
+        }
     }
 }
 

@@ -12,7 +12,8 @@ typedef struct find_context {
 
 static int is_transparent_material(const burnish_transparency *transparency, size_t material) {
     return transparency->opacities[material] < 1 ||
-           (transparency->texturing && transparency->texturing->materials[material].is_alpha);
+           (transparency->texturing && (transparency->texturing->materials[material].is_alpha ||
+                                        transparency->texturing->materials[material].passes));
 }
 
 static int is_transparent(const find_context *find, size_t triangle) {
@@ -56,7 +57,8 @@ static void fill_rule(const burnish_transparency *transparency, size_t i,
     const burnish_textured_material *material = texturing ? &texturing->materials[i] : NULL;
     memset(rule, 0, sizeof *rule);
     rule->is_transparent = is_transparent_material(transparency, i);
-    if (!rule->is_transparent || !material || material->material.alpha_mode != BURNISH_ALPHA_MASK) {
+    if (!rule->is_transparent || !material || material->passes ||
+        material->material.alpha_mode != BURNISH_ALPHA_MASK) {
         return;
     }
     rule->is_masked = 1;

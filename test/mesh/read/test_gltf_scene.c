@@ -297,6 +297,25 @@ static void test_materials(void) {
                   "number, found \"x\"; ignored");
 }
 
+/* Nodes scale the thickness of volumes. Without transmission there is none. */
+static void test_volumes(void) {
+    read_good("$head$triangle_accessors,'materials':[{'extensions':{'KHR_materials_transmission':"
+              "{'transmissionFactor':0.75},'KHR_materials_ior':{'ior':1.25},'KHR_materials_volume':"
+              "{'thicknessFactor':2,'attenuationDistance':4,'attenuationColor':[0.5,1,2]}}},"
+              "{'extensions':{'KHR_materials_volume':{'thicknessFactor':1}}}],"
+              "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0},"
+              "{'attributes':{'POSITION':0},'material':1}]}],'nodes':[{'mesh':0},"
+              "{'mesh':0,'scale':[3,3,-3]},{'mesh':0,'scale':[3,3,3]}]}",
+              NULL);
+    const burnish_material *m = got.materials;
+    CHECK1(m->is_metallic && m->transmission == 0.75f && m->thickness == 2 &&
+           m->refractive_index == 1.25f && m->attenuation_distance == 4 &&
+           m->attenuation_color[0] == 0.5f && m->attenuation_color[2] == 1);
+    CHECK1(m[1].transmission == 0 && m[1].thickness == 0 && got.material_count == 3);
+    CHECK1(fabsf(m[2].thickness - 6) < 1e-6f && got.triangle_materials[0] == 0 &&
+           got.triangle_materials[2] == 2 && got.triangle_materials[4] == 2);
+}
+
 /* Primitives without a material are white, unlike those of other formats. */
 static void test_default_material(void) {
     read_good("$head$triangle,$node}", NULL);
@@ -578,6 +597,7 @@ int main(int count, char **arguments) {
     RUN(test_animation());
     RUN(test_cameras());
     RUN(test_lights());
+    RUN(test_volumes());
     RUN(test_default_material());
     RUN(test_variants());
     RUN(test_textures());

@@ -301,6 +301,41 @@ static const burnish_gltf_accessor *accessor_of(const burnish_gltf *gltf, uint32
     return number == BURNISH_GLTF_NONE ? NULL : &gltf->accessors[number];
 }
 
+enum { SCALES_MAX = 256 };
+
+/* A primitive's material. Nodes scale the thickness of volumes: each scale makes another material,
+ * up to a limit. */
+static uint16_t material_at(gltf_drawer *drawer, const burnish_gltf_primitive *primitive,
+                            const double matrix[12]) {
+    burnish_mesh_data *mesh = drawer->mesh;
+    burnish_gltf *gltf = drawer->gltf;
+    const size_t plain = gltf->counts[BURNISH_GLTF_MATERIALS];
+    const size_t own = primitive->material == BURNISH_GLTF_NONE ? plain : primitive->material;
+    burnish_material scaled = mesh->materials[own];
+    size_t number = plain;
+    double squares = 0;
+    for (int i = 0; i < 12; ++i) {
+        squares += i % 4 < 3 ? matrix[i] * matrix[i] / 3 : 0;
+    }
+    if (!(scaled.thickness > 0) || (squares > 0.9999 && squares < 1.0001)) {
+        return (uint16_t)own;
+    }
+    const double thickness = (double)scaled.thickness * burnish_sqrt(squares);
+    scaled.thickness = (float)(thickness < 1e30 ? thickness : 1e30);
+    for (; number < mesh->material_count; ++number) {
+        if (memcmp(&scaled, &mesh->materials[number], sizeof scaled) == 0) {
+            return (uint16_t)number;
+        }
+    }
+    mesh->materials = burnish_reserve(gltf->memory, mesh->materials, &mesh->material_capacity,
+                                      number + 1, sizeof *mesh->materials, "materials");
+    if (!burnish_gltf_is_fine(gltf) || number > plain + SCALES_MAX || number > UINT16_MAX) {
+        return (uint16_t)own;
+    }
+    mesh->materials[mesh->material_count++] = scaled;
+    return (uint16_t)number;
+}
+
 static void draw_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
                            const double matrix[12], const burnish_gltf_primitive *primitive) {
     burnish_gltf *gltf = drawer->gltf;
@@ -317,9 +352,7 @@ static void draw_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
         drawer->texcoords[i] = accessor_of(gltf, primitive->texcoords[i]);
     }
     drawer->base = (uint32_t)drawer->mesh->streams[BURNISH_POSITION].count;
-    drawer->material =
-        (uint16_t)(primitive->material == BURNISH_GLTF_NONE ? gltf->counts[BURNISH_GLTF_MATERIALS]
-                                                            : primitive->material);
+    drawer->material = material_at(drawer, primitive, matrix);
     burnish_gltf_set_shape(gltf, &drawer->shape, node, matrix, primitive);
     drawer->moves = drawer->shape.target_count > 0 || drawer->shape.set_count > 0;
     read_base_color(drawer);
@@ -335,7 +368,7 @@ static void draw_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
 static void count_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
                             const double matrix[12], const burnish_gltf_primitive *primitive) {
     burnish_gltf *gltf = drawer->gltf;
-    (void)node, (void)matrix;
+    (void)node;
     static const char *const kinds[] = {"points", "lines", "triangles"};
     const burnish_gltf_kind kind = burnish_gltf_kind_of(primitive);
     if (kind != drawer->kind) {
@@ -359,6 +392,7 @@ static void count_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
         drawer->has[texcoord_streams[i]] |= primitive->texcoords[i] != BURNISH_GLTF_NONE;
     }
     drawer->has[BURNISH_TEXCOORD] |= drawer->has[BURNISH_TEXCOORD2];
+    material_at(drawer, primitive, matrix);
     if (drawer->elements > gltf->reader->input->options->max_triangles) {
         gltf->status = burnish_fail_triangles(gltf->reader, NULL);
     } else if (kind == BURNISH_GLTF_TRIANGLES) {

@@ -91,6 +91,33 @@ static void read_emission(burnish_gltf *gltf, uint32_t value, burnish_material *
     }
 }
 
+/* KHR_materials_transmission and KHR_materials_volume. */
+static void read_transmission(burnish_gltf *gltf, uint32_t value, burnish_material *material) {
+    const uint32_t passes = burnish_gltf_extension(gltf, value, "KHR_materials_transmission");
+    const uint32_t volume = burnish_gltf_extension(gltf, value, "KHR_materials_volume");
+    const uint32_t ior = burnish_gltf_extension(gltf, value, "KHR_materials_ior");
+    double color[3] = {1, 1, 1};
+    material->transmission =
+        (float)clamp_number(burnish_gltf_number(gltf, passes, "transmissionFactor", 0), 0, 1);
+    if (!(material->transmission > 0)) {
+        return;
+    }
+    burnish_gltf_numbers(gltf, volume, "attenuationColor", 3, color);
+    for (int i = 0; i < 3; ++i) {
+        material->attenuation_color[i] = (float)clamp_number(color[i], 0, 1);
+    }
+    material->thickness =
+        (float)clamp_number(burnish_gltf_number(gltf, volume, "thicknessFactor", 0), 0, 1e30);
+    material->attenuation_distance =
+        (float)clamp_number(burnish_gltf_number(gltf, volume, "attenuationDistance", 0), 0, 1e30);
+    material->refractive_index =
+        (float)clamp_number(burnish_gltf_number(gltf, ior, "ior", 1.5), 1, 1e30);
+    material->textures[BURNISH_TEXTURE_TRANSMISSION] =
+        burnish_gltf_read_texture(gltf, passes, "transmissionTexture", BURNISH_GLTF_NUMBERS, NULL);
+    material->textures[BURNISH_TEXTURE_THICKNESS] =
+        burnish_gltf_read_texture(gltf, volume, "thicknessTexture", BURNISH_GLTF_NUMBERS, NULL);
+}
+
 static void read_alpha(burnish_gltf *gltf, uint32_t value, double alpha,
                        burnish_material *material) {
     const uint32_t mode = burnish_json_member(&gltf->json, value, "alphaMode");
@@ -198,10 +225,12 @@ static void read_textures(burnish_gltf *gltf, uint32_t value, uint32_t glossy,
     textures[BURNISH_TEXTURE_COLOR] =
         burnish_gltf_read_texture(gltf, metallic, "baseColorTexture", BURNISH_GLTF_COLORS, NULL);
     read_specular(gltf, value, &textures[BURNISH_TEXTURE_SPECULAR]);
+    read_transmission(gltf, value, material);
     textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS] = burnish_gltf_read_texture(
         gltf, metallic, "metallicRoughnessTexture", BURNISH_GLTF_NUMBERS, NULL);
     const int has_color = textures[BURNISH_TEXTURE_COLOR].texture > 0;
-    material->is_metallic = textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS].texture > 0 ||
+    material->is_metallic = material->transmission > 0 ||
+                            textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS].texture > 0 ||
                             textures[BURNISH_TEXTURE_SPECULAR].texture > 0 ||
                             (has_color && textures[BURNISH_TEXTURE_NORMAL].texture > 0) ||
                             ((has_color || gltf->has_colors) && material->metallic > 0);

@@ -127,6 +127,8 @@ void burnish_gltf_texture_sets(const burnish_gltf *gltf, uint32_t material, unsi
                 {"KHR_materials_sheen", "sheenRoughnessTexture", 1},
                 {"KHR_materials_clearcoat", "clearcoatTexture", 1},
                 {"KHR_materials_clearcoat", "clearcoatRoughnessTexture", 1},
+                {"KHR_materials_transmission", "transmissionTexture", 1},
+                {"KHR_materials_volume", "thicknessTexture", 1},
                 {NULL, "normalTexture", 2},
                 {NULL, "occlusionTexture", 2},
                 {NULL, "emissiveTexture", 2}};
