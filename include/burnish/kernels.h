@@ -106,8 +106,8 @@ BURNISH_API void burnish_kernels_normalize(const burnish_kernels *kernels, size_
  *   d (Ia ka + sum over lights of kd colour max(0, N.L))
  *     + sum over the lights with N.L > 0 of ks colour lobe(c)
  *
- * with c by the specular model (shading.h). Values are linear light. Lights do not fall off with
- * distance; scale their colour instead.
+ * with c by the specular model (shading.h), and colour as the light's members for point lights
+ * lessen it. Values are linear light.
  *
  * Accuracy: about zeta 2^-22 in the base of a lobe of the family, from rounding c to float. */
 

@@ -556,21 +556,14 @@ BURNISH_API const burnish_named_camera *burnish_mesh_get_camera(const burnish_me
 BURNISH_API size_t burnish_mesh_get_variant_count(const burnish_mesh *mesh);
 BURNISH_API const char *burnish_mesh_get_variant(const burnish_mesh *mesh, size_t index);
 
-/* A light of the file, in coordinates of the mesh. Point lights do not fall off in burnish, so a
- * light in physical units gets its strength at the middle of the bounding box: candela / distance^2
- * for point lights, lux for directional lights. All lights are then scaled by one factor. With it,
- * the brightest white surface there that faces a light is 1: the largest sum over lights j of
- * color_j max(0, L_i . L_j) for L_i toward a light i. */
-typedef struct burnish_file_light {
-    burnish_light light;
-    int is_spot; /* 1: a spot light in the file; light is a point light */
-} burnish_file_light;
-
-/* The lights of the file in its order, at most BURNISH_LIGHT_MAX. An index out of range gives
- * NULL. */
+/* The lights of the file in its order, at most BURNISH_LIGHT_MAX, in coordinates of the mesh. An
+ * index out of range gives NULL. The color of a light in physical units is its strength at the
+ * middle of the bounding box: lux for directional lights, candela / distance^2 for point lights,
+ * with a distance of at least a quarter of the box's diagonal, and without regard to range and cone.
+ * All lights are then scaled by one factor. With it, the brightest white surface there that faces a
+ * light is 1: the largest sum over lights j of color_j max(0, L_i . L_j) for L_i toward a light i. */
 BURNISH_API size_t burnish_mesh_get_light_count(const burnish_mesh *mesh);
-BURNISH_API const burnish_file_light *burnish_mesh_get_light(const burnish_mesh *mesh,
-                                                             size_t index);
+BURNISH_API const burnish_light *burnish_mesh_get_light(const burnish_mesh *mesh, size_t index);
 
 /* Options for burnish_camera_frame(). Start from burnish_framing_default(). */
 typedef struct burnish_framing {

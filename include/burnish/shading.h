@@ -127,7 +127,11 @@ typedef enum burnish_light_kind {
     BURNISH_LIGHT_POINT
 } burnish_light_kind;
 
-/* A light. Point lights do not fall off with distance. */
+/* A light. Its last four members are for point lights: 0 where they have no effect. At the distance
+ * d, in the direction u from the light, a point receives color times
+ *   (distance / d)^2 max(0, 1 - (d / range)^4) t^2,
+ *   t = clamp((axis.u - cos outer) / max(0.001, cos inner - cos outer), 0, 1)
+ * as KHR_lights_punctual has it, the first factor at most 2^20. Factors without effect are 1. */
 typedef struct burnish_light {
     burnish_light_kind kind;
     int follows_camera; /* 1: vector is in camera space: x right, y up, z toward the viewer; the
@@ -136,6 +140,10 @@ typedef struct burnish_light {
     double vector[3];   /* DIRECTIONAL: toward the light, of any length > 0 (kernels.h: 1); POINT:
                            its position */
     float color[3];     /* linear, [0, 1e6] */
+    double distance;    /* where color arrives; 0: the light does not fall off */
+    double range;       /* where it ends; 0: nowhere */
+    double axis[3];     /* of a cone, of any length (kernels.h: 1); 0, 0, 0: it shines everywhere */
+    double cone[2];     /* cos inner >= cos outer */
 } burnish_light;
 
 /* The most lights. */

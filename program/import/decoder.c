@@ -15,7 +15,7 @@
 #ifndef _WIN32
 
 static const import_program draco = {.name = "burnish-import-draco",
-                                     .from = "-DBURNISH_IMPORT_DRACO=ON, Debian's libdraco-dev",
+                                     .from = "libdraco-dev and g++ and build burnish again",
                                      .extensions = "",
                                      .argument = "draco",
                                      .otherwise =

@@ -9,12 +9,15 @@
 #include "import/importers.h"
 
 #define EXTENSION(word) "." #word " "
+#define OF_DEBIAN(option, library)                                                                 \
+    "the Debian package of that name, build it (-DBURNISH_IMPORT_" option "=ON, Debian's " library \
+    ")"
 static const char otherwise[] = "convert the file to glTF, OBJ, PLY or STL";
 static const import_program importers[] = {
-    {"burnish-import-occt", "-DBURNISH_IMPORT_OCCT=ON, Debian's libocct-data-exchange-dev",
+    {"burnish-import-occt", OF_DEBIAN("OCCT", "libocct-data-exchange-dev"),
      " " CLI_OCCT_LIST(EXTENSION), NULL, otherwise},
-    {"burnish-import-assimp", "-DBURNISH_IMPORT_ASSIMP=ON, Debian's libassimp-dev",
-     " " CLI_ASSIMP_LIST(EXTENSION), NULL, otherwise}};
+    {"burnish-import-assimp", OF_DEBIAN("ASSIMP", "libassimp-dev"), " " CLI_ASSIMP_LIST(EXTENSION),
+     NULL, otherwise}};
 
 static int lower_case(int c) {
     return c >= 'A' && c <= 'Z' ? c + 'a' - 'A' : c;

@@ -10,7 +10,7 @@
 
 typedef struct import_program {
     const char *name; /* "burnish-import-assimp" */
-    const char *from; /* how to get it, for a message */
+    const char *from; /* what to install, for a message */
     const char *
         extensions; /* lower-case extensions with a blank before and after each: " .fbx .dae "; "": none */
     const char *argument;  /* its argument; NULL: the input's extension */

@@ -74,8 +74,8 @@ static burnish_status find_program(run *r) {
         return BURNISH_STATUS_OK;
     }
     snprintf(message, sizeof message,
-             "reads such files and is not installed; install the Debian package of that name, "
-             "build it (%s), name its folder in BURNISH_IMPORTERS, or %s",
+             "reads such files and is not installed; install %s, name its folder in "
+             "BURNISH_IMPORTERS, or %s",
              r->importer->from, r->importer->otherwise);
     return importer_fail(r, BURNISH_STATUS_FORMAT, message);
 }

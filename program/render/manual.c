@@ -65,7 +65,7 @@ static const cli_term light_terms[] = {
      "the same in the scene's coordinates."},
     {"*file*",
      "the lights of the input (glTF with KHR_lights_punctual), scaled together so a white surface "
-     "in the middle of the object that faces them is white. Spot lights shine in all directions."},
+     "in the middle of the object that faces them is white."},
     {"*none*", "removes the lights of the look and all lights before it."},
     {NULL, NULL},
 };
@@ -172,8 +172,8 @@ const cli_section render_sections[] = {
      .terms = look_terms},
     {.heading = "LIGHTS",
      .text = "_SPEC_ is _KIND_:_X_,_Y_,_Z_[:_INTENSITY_[:_COLOR_]] with an intensity from 0 to "
-             "1000 (default 1) and a colour (default white). Lights have no falloff, and only one "
-             "casts a shadow, with *--shadow*.",
+             "1000 (default 1) and a colour (default white). Only lights of files fall off, and "
+             "only one light casts a shadow, with *--shadow*.",
      .terms = light_terms,
      .closing = "For example *--light=directional:-1,1,2:0.8:#fff2e0* or "
                 "*--light=rect:-2,1.5,1:1.5,1:distant:4*."},

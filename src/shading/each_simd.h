@@ -69,12 +69,13 @@ BURNISH_INLINE void each_light(int body, const burnish_kernels_shader *shader,
     const shade_kernel kernel = {body, BURNISH_SHADE_GENERAL, BURNISH_SHADE_FLOAT, 3};
     const vf zero = vf_set(0.0f);
     const shade_cosines cosines = shade_cosines_of(light, at);
-    shade_add_diffuse(kernel, light, vf_max(cosines.n_dot_l, zero), sums);
+    const vf share = cosines.share, lambert = vf_max(cosines.n_dot_l, zero);
+    shade_add_diffuse(kernel, light, light->is_lessened ? vf_mul(lambert, share) : lambert, sums);
     const vm lit = vf_greater(cosines.n_dot_l, zero);
     if (vm_any(lit)) {
         const vf cosine = shade_lobe_cosine(shader, at, &cosines);
-        shade_add_specular(kernel, light, vf_and_mask(lit, each_value(body, shader, lobe, cosine)),
-                           sums);
+        const vf value = vf_and_mask(lit, each_value(body, shader, lobe, cosine));
+        shade_add_specular(kernel, light, light->is_lessened ? vf_mul(value, share) : value, sums);
     }
 }
 

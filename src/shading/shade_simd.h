@@ -59,20 +59,23 @@ BURNISH_INLINE void shade_add_specular(shade_kernel kernel, const burnish_light_
     }
 }
 
-/* A lobe from its base u, where lit and above 0; adds nothing where no lane is. */
+/* A lobe from its base u, where lit and above 0; adds nothing where no lane is.
+ *   share  of the light; NULL: all of it */
 BURNISH_INLINE void shade_add_base(shade_kernel kernel, const burnish_kernels_shader *shader,
                                    const burnish_light_constants *light, vm lit, vf u,
-                                   shade_sums *sums) {
+                                   const vf *share, shade_sums *sums) {
     const vf top = lobe_top(kernel.body, &shader->lobe);
     if (kernel.channels == 1) { /* too little to skip */
         u = vf_and_mask(lit, vf_min(vf_max(u, vf_set(0.0f)), top));
-        shade_add_specular(kernel, light, lobe_of_base(kernel.body, &shader->lobe, u), sums);
+        const vf lobe = lobe_of_base(kernel.body, &shader->lobe, u);
+        shade_add_specular(kernel, light, share ? vf_mul(lobe, *share) : lobe, sums);
         return;
     }
     vm shines = vm_and(lit, vf_greater(u, vf_set(0.0f)));
     if (vm_any(shines)) {
         u = vf_and_mask(shines, vf_min(u, top));
-        shade_add_specular(kernel, light, lobe_of_base(kernel.body, &shader->lobe, u), sums);
+        const vf lobe = lobe_of_base(kernel.body, &shader->lobe, u);
+        shade_add_specular(kernel, light, share ? vf_mul(lobe, *share) : lobe, sums);
     }
 }
 
@@ -87,7 +90,7 @@ BURNISH_INLINE void shade_add_distant(shade_kernel kernel, const burnish_kernels
     vm lit = vf_greater(n_dot_l, vf_set(0.0f));
     if (lobe_has_base(kernel.body)) {
         vf u = vf_add(cosine, vf_set(shader->offset)); /* zeta is in the half vector */
-        shade_add_base(kernel, shader, light, lit, u, sums);
+        shade_add_base(kernel, shader, light, lit, u, NULL, sums);
     } else if (vm_any(lit)) {
         vf lobe = vf_and_mask(lit, lobe_of_cosine(kernel.body, &shader->lobe, cosine));
         shade_add_specular(kernel, light, lobe, sums);
@@ -104,9 +107,9 @@ BURNISH_INLINE void shade_distant_light(shade_kernel kernel, const burnish_kerne
     shade_add_distant(kernel, shader, light, vf_max(n_dot_l, vf_set(0.0f)), cosine, sums);
 }
 
-/* Cosines of one light. */
+/* Cosines of one light, and what arrives of it if it is lessened. */
 typedef struct shade_cosines {
-    vf n_dot_l, l_dot_v;
+    vf n_dot_l, l_dot_v, share;
 } shade_cosines;
 
 /* Lyon's lobe: N of length s is scaled by three terms of 1/s instead of exactly; what is left of
@@ -155,11 +158,33 @@ BURNISH_INLINE void shade_general_specular(shade_kernel kernel,
         vf u = shader->lyon
                    ? shade_lyon(shader, at->squared_n, at->inverse_n, cosine)
                    : vf_add(vf_mul(cosine, vf_set(shader->lobe.zeta)), vf_set(shader->offset));
-        shade_add_base(kernel, shader, light, lit, u, sums);
+        shade_add_base(kernel, shader, light, lit, u, light->is_lessened ? &cosines->share : NULL,
+                       sums);
     } else if (vm_any(lit)) {
         vf lobe = vf_and_mask(lit, lobe_of_cosine(kernel.body, &shader->lobe, cosine));
+        lobe = light->is_lessened ? vf_mul(lobe, cosines->share) : lobe;
         shade_add_specular(kernel, light, lobe, sums);
     }
+}
+
+/* What arrives of a light that falls off or has a cone, at 1 / inverse from it. Anything nearer than
+ * 1/1024 of its distance gets as much as there, so that no value is infinite. */
+BURNISH_INLINE vf shade_share(const burnish_light_constants *light, vf inverse, vf cosine) {
+    const vf one = vf_set(1.0f), near = vf_mul(inverse, inverse);
+    vf share = one;
+    if (light->squared_distance > 0) {
+        share = vf_min(vf_mul(vf_set(light->squared_distance), near), vf_set(0x1p20f));
+    }
+    if (light->squared_range > 0) {
+        const vf part = vf_div(one, vf_mul(vf_set(light->squared_range), near));
+        share = vf_mul(share, vector_saturate(vf_sub(one, vf_mul(part, part))));
+    }
+    if (light->cone_scale > 0) {
+        const vf t = vector_saturate(
+            vf_add(vf_mul(cosine, vf_set(light->cone_scale)), vf_set(light->cone_offset)));
+        share = vf_mul(share, vf_mul(t, t));
+    }
+    return share;
 }
 
 /* What a light makes of a point, whatever light and viewer are. */
@@ -174,11 +199,16 @@ BURNISH_INLINE shade_cosines shade_cosines_of(const burnish_light_constants *lig
             to_light[k] = vf_sub(vf_mul(to_light[k], at->w), at->position[k]);
         }
     }
+    cosines.share = vf_set(1.0f);
     cosines.l_dot_v = shade_dot(to_light, at->to_viewer);
     if (light->is_point) {
         vf inverse_l = vector_inverse_sqrt(shade_dot(to_light, to_light));
         inverse = vf_mul(inverse, inverse_l);
         cosines.l_dot_v = vf_mul(cosines.l_dot_v, inverse_l);
+        if (light->is_lessened) {
+            const vf cosine = vf_mul(shade_dot_constant(to_light, light->to_light), inverse_l);
+            cosines.share = shade_share(light, vf_mul(at->w, inverse_l), cosine);
+        }
     }
     cosines.n_dot_l = vf_mul(shade_dot(at->normal, to_light), inverse);
     return cosines;
@@ -200,7 +230,9 @@ BURNISH_INLINE void shade_general_light(shade_kernel kernel, const burnish_kerne
                                         const burnish_light_constants *light,
                                         const shade_vectors *at, shade_sums *sums) {
     const shade_cosines cosines = shade_cosines_of(light, at);
-    shade_add_diffuse(kernel, light, vf_max(cosines.n_dot_l, vf_set(0.0f)), sums);
+    const vf lambert = vf_max(cosines.n_dot_l, vf_set(0.0f));
+    shade_add_diffuse(kernel, light, light->is_lessened ? vf_mul(lambert, cosines.share) : lambert,
+                      sums);
     if (kernel.body != BURNISH_LOBE_BODY_NONE) {
         shade_general_specular(kernel, shader, light, at, &cosines, sums);
     }

@@ -155,6 +155,23 @@ static void round_vector(const double vector[3], float rounded[3]) {
     }
 }
 
+static int is_distance(double value) {
+    return value == 0 || (value >= 0x1p-60 && value <= 0x1p60);
+}
+
+static int has_axis(const burnish_light *light) {
+    return light->axis[0] != 0 || light->axis[1] != 0 || light->axis[2] != 0;
+}
+
+/* What is for point lights only. */
+static int is_beam(const burnish_light *light) {
+    float axis[3];
+    round_vector(light->axis, axis);
+    return is_distance(light->distance) && is_distance(light->range) &&
+           (!has_axis(light) || (is_unit(axis) && light->cone[1] >= -1 &&
+                                 light->cone[0] >= light->cone[1] && light->cone[0] <= 1));
+}
+
 static burnish_status check_lights(const burnish_kernels_lighting *lighting, burnish_error *error) {
     if (lighting->light_count < 0 || lighting->light_count > BURNISH_LIGHT_MAX) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "lights: %d is not in [0, %d]",
@@ -170,6 +187,13 @@ static burnish_status check_lights(const burnish_kernels_lighting *lighting, bur
                                 "light %d: needs a position within 2^60 or a unit vector, and a "
                                 "colour in [0, 1e6]",
                                 i + 1);
+        }
+        if (light->kind == BURNISH_LIGHT_POINT && !is_beam(light)) {
+            return burnish_fail(
+                error, BURNISH_STATUS_ARGUMENT,
+                "light %d: needs distances within 2^60, and of a cone a unit vector "
+                "and cosines, the larger one first",
+                i + 1);
         }
         if (light->follows_camera) {
             return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
@@ -216,12 +240,31 @@ static void find_half(const float a[3], const float b[3], double half[3]) {
     }
 }
 
+/* What a point light loses by distance, and outside its cone. */
+static void fold_beam(const burnish_light *light, burnish_light_constants *constants) {
+    const float distance = (float)light->distance, range = (float)light->range;
+    const double width = light->cone[0] - light->cone[1];
+    const double scale = has_axis(light) ? 1 / (width > 0.001 ? width : 0.001) : 0;
+    constants->squared_distance = distance * distance;
+    constants->squared_range = range * range;
+    constants->cone_scale = (float)scale;
+    constants->cone_offset = (float)(scale * -light->cone[1]);
+    for (int k = 0; k < 3; ++k) {
+        constants->to_light[k] = -(float)light->axis[k];
+    }
+    constants->is_lessened = distance > 0 || range > 0 || scale > 0;
+}
+
 /* scale is the lobe's value at its peak, which is folded into the specular colour. */
 static void fold_light(const burnish_kernels_lighting *lighting, const burnish_material *material,
                        const burnish_light *light, float zeta, float scale,
                        burnish_light_constants *constants) {
     double half[3], slope = zeta > 0.0f ? (double)zeta : 1.0;
     constants->is_point = light->kind == BURNISH_LIGHT_POINT;
+    constants->is_lessened = 0;
+    if (constants->is_point) {
+        fold_beam(light, constants);
+    }
     round_vector(light->vector, constants->vector);
     find_half(constants->vector, lighting->viewer, half);
     for (int k = 0; k < 3; ++k) {

@@ -44,7 +44,10 @@ typedef struct burnish_lobe_constants {
 
 /* A light: colours times material, for results in [0, 255] and in [0, 1] (BURNISH_SHADE_...). */
 typedef struct burnish_light_constants {
-    int is_point;
+    int is_point, is_lessened;             /* is_lessened: one of the next four is not 0 */
+    float squared_distance, squared_range; /* burnish_light's */
+    float cone_scale, cone_offset;         /* t is linear in a cosine; scale 0: no cone */
+    float to_light[3];                     /* against the cone's axis */
     float vector[3];
     float half[3]; /* of a distant light and viewer: H, zeta H for lobes with a base */
     float diffuse[2][3], specular[2][3];

@@ -160,6 +160,18 @@ run info flat.stl --json --quiet
 check "--quiet" [ ! -s "$err" ]
 check "a warning in JSON" grep -q '"warnings":.*1 of 13 triangles' "$out"
 
+# Lines beside faces do not count for the facts of the faces.
+printf '%s' '{"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],' \
+    '"bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],' \
+    '"meshes":[{"primitives":[{"attributes":{"POSITION":0}},{"attributes":{"POSITION":0},"mode":2}]}],"nodes":[{"mesh":0}]}' >lines.gltf
+run info lines.gltf --json
+same "lines beside faces" "$(json lines) $(json triangles) $(json area) $(json size) $(json open_edges)" "3 1 0.5 1,1,0 3"
+run info lines.gltf --max-triangles=30 --json # as tetrahedra
+same "room for thin lines" "$(json lines) $(json warnings)" "3 "
+run info lines.gltf --max-triangles=9
+check "too many lines: $(cat "$err")" grep -qx 'burnish: warning: lines.gltf: 3 lines and points are not drawn, as they are too many for a file with triangles; thin them out, or export them alone' "$err"
+rm -f lines.gltf
+
 # INPUT as render takes it.
 "$burnish" info - --json <box.stl | sed '/"input"/d' >piped.json
 run info box.stl --json --threads=3

@@ -35,7 +35,7 @@ refused() {
     expect "$1" "burnish: a.glb: $2" render a.glb -o p.png
     expect "$1" "burnish: a.glb: $2" render a.glb --sandbox -o p.png
 }
-refused 4 "burnish-import-draco reads such files and is not installed; install the Debian package of that name, build it (-DBURNISH_IMPORT_DRACO=ON, Debian's libdraco-dev), name its folder in BURNISH_IMPORTERS, or export the file without KHR_draco_mesh_compression"
+refused 4 "burnish-import-draco reads such files and is not installed; install libdraco-dev and g++ and build burnish again, name its folder in BURNISH_IMPORTERS, or export the file without KHR_draco_mesh_compression"
 importer 'exit 0'
 refused 4 'burnish-import-draco ended without a mesh'
 importer 'kill -SEGV $$'

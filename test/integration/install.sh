@@ -23,6 +23,9 @@ libdir=$(dirname "$(find "$scratch/moved" -name libburnish.a)")
 export PKG_CONFIG_PATH="$libdir/pkgconfig"
 export LD_LIBRARY_PATH="$libdir"
 "$scratch/moved/bin/burnish" render :teapot -o "$scratch/expected.png" || fail "the installed program"
+if [ -e "$build/burnish-import-draco" ]; then
+    "$scratch/moved/bin/burnish" "$source/test/importers/ring.glb" "$scratch/ring.png" --strict --sandbox || fail "the installed decoder of Draco"
+fi
 "$scratch/moved/bin/burnish" lobe claims core-w >/dev/null || fail "the installed burnish-lobe"
 for text in man/man1/burnish.1 man/man1/burnish-lobe.1 burnish/shaders/burnish.glsl burnish/shaders/glsl/lighting/specular/burnish.glsl bash-completion/completions/burnish zsh/site-functions/_burnish fish/vendor_completions.d/burnish.fish; do
     [ -s "$scratch/moved/share/$text" ] || fail "no $text"

@@ -24,7 +24,7 @@ static float *draw(const burnish_mesh *mesh, double height, int transparent, int
     options.transparent = transparent;
     options.ground = 1;
     options.shadow = casts_shadow;
-    options.lights[0] = (burnish_light){BURNISH_LIGHT_DIRECTIONAL, 0, {1, 1, 0}, {1, 1, 1}};
+    options.lights[0] = (burnish_light){.vector = {1, 1, 0}, .color = {1, 1, 1}};
     options.occlusion = BURNISH_OCCLUSION_MAX;
     options.up[1] = 2;
     draw_floats(mesh, &options, pixels, report);

@@ -267,7 +267,13 @@ static void change_lights(frame *f) {
         burnish_light *light = &f->options.lights[i];
         light->kind = chance(80) ? BURNISH_LIGHT_DIRECTIONAL : BURNISH_LIGHT_POINT;
         light->follows_camera = chance(30);
+        light->distance = chance(30) ? uniform(0, 2) : 0;
+        light->range = chance(30) ? uniform(0, 2) : 0;
+        light->cone[0] = uniform(0.5, 1);
+        light->cone[1] = light->cone[0] - uniform(0, 1);
+        const int has_cone = chance(30);
         for (int k = 0; k < 3; ++k) {
+            light->axis[k] = has_cone ? uniform(-1, 1) : 0;
             light->vector[k] = uniform(-1, 2);
             light->color[k] = (float)uniform(0, 1);
         }

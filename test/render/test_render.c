@@ -52,7 +52,8 @@ static void check_perspective_colors(void) {
     burnish_mesh_destroy(scene);
 }
 
-/* kd N.L of a point light one unit above a plane, with the light in scene and in camera space. */
+/* kd N.L of a point light one unit above a plane, with the light in scene and in camera space: as
+ * strong as its color at the distance 1.2, with a range of 5 and a cone to 60 degrees. */
 static void check_point_light(int follows_camera, double orthographic_height) {
     enum { SIZE = 150 };
     static const float POSITIONS[12] = {-9, -9, 0, 9, -9, 0, 9, 9, 0, -9, 9, 0};
@@ -65,15 +66,24 @@ static void check_point_light(int follows_camera, double orthographic_height) {
         extent = 10 * tan(M_PI / 12);
     }
     light_from(&options, follows_camera ? 0.05 : 0.5, 0, follows_camera ? -0.9 : 1);
-    options.lights[0].kind = BURNISH_LIGHT_POINT;
-    options.lights[0].follows_camera = follows_camera;
+    burnish_light *light = &options.lights[0];
+    light->kind = BURNISH_LIGHT_POINT;
+    light->follows_camera = follows_camera;
+    light->distance = follows_camera ? 0.12 : 1.2;
+    light->range = follows_camera ? 0.5 : 5;
+    light->axis[2] = -2;
+    light->cone[0] = 0.8;
+    light->cone[1] = 0.5;
     set_material(scene, &material);
     burnish_image image = draw_image(scene, &options, NULL);
     for (int y = 0; y < SIZE; ++y) {
         for (int x = 0; x < SIZE; ++x) {
             double px = (x + 0.5 - SIZE / 2.0) / (SIZE / 2.0) * extent - 0.5;
             double py = (SIZE / 2.0 - y - 0.5) / (SIZE / 2.0) * extent;
-            double expected = 0.8 / sqrt(px * px + py * py + 1);
+            double squared = px * px + py * py + 1, t = (1 / sqrt(squared) - 0.5) / 0.3;
+            double expected = 0.8 / sqrt(squared) * 1.44 / squared * (1 - pow(squared / 25, 2)) *
+                              pow(fmin(fmax(t, 0), 1), 2);
+            expected = fmin(expected, 1);
             worst = fmax(worst, fabs(pixel_value(&image, x, y, 2) - expected));
         }
     }

@@ -190,7 +190,7 @@ static void draw_card(const burnish_material *card, float right, uint8_t alpha, 
     options.width = options.height = CARD_SIZE;
     options.camera = (burnish_camera){{3, -6, 5}, {0, 0, 0}, {0, 0, 1}, 45, 0};
     options.light_count = 1;
-    options.lights[0] = (burnish_light){BURNISH_LIGHT_DIRECTIONAL, 0, {0.2, 0.3, 0.9}, {1, 1, 1}};
+    options.lights[0] = (burnish_light){.vector = {0.2, 0.3, 0.9}, .color = {1, 1, 1}};
     options.shadow = shadow;
     options.occlusion = occlusion;
     draw_floats(mesh, &options, to->pixels, NULL);

@@ -291,8 +291,7 @@ static void test_blocks(void) {
 
 static void add_light(scene *s) {
     s->options.light_count = 1;
-    s->options.lights[0] =
-        (burnish_light){BURNISH_LIGHT_DIRECTIONAL, 0, {0.3, 0.4, 0.9}, {1, 0.9f, 0.8f}};
+    s->options.lights[0] = (burnish_light){.vector = {0.3, 0.4, 0.9}, .color = {1, 0.9f, 0.8f}};
     set_three(s->options.ambient_light, 0.1f);
 }
 

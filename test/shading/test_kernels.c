@@ -90,6 +90,7 @@ static void check_shade_of_isa(const burnish_kernels *kernels, uint64_t *state) 
         burnish_error error;
         size_t count = trial % 50 == 49 ? BLOCK - MOST_LANES : test_random32(state) % 70;
         int wrong = 0;
+        random_beams(state, &lighting);
         make_points(&arrays, BLOCK, trial & 1, state);
         if (!CHECK(burnish_kernels_shader_create(&lighting, NULL, &shader, &error) ==
                        BURNISH_STATUS_OK,

@@ -199,4 +199,20 @@ static inline burnish_kernels_lighting random_lighting(burnish_lobe_kind kind, u
     return lighting;
 }
 
+/* What lessens point lights, with cones toward the middle of the points. */
+static inline void random_beams(uint64_t *state, burnish_kernels_lighting *lighting) {
+    for (int i = 0; i < lighting->light_count; ++i) {
+        burnish_light *light = &lighting->lights[i];
+        const double *v = light->vector, length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        const unsigned members = light->kind == BURNISH_LIGHT_POINT ? test_random32(state) % 8 : 0;
+        light->distance = members & 1 ? 0.75 : 0;
+        light->range = members & 2 ? 4 : 0;
+        light->cone[0] = 0.9;
+        light->cone[1] = test_random32(state) & 1 ? 0.9 : 0.6;
+        for (int k = 0; k < 3; ++k) {
+            light->axis[k] = members & 4 ? -v[k] / length : 0;
+        }
+    }
+}
+
 #endif

@@ -111,7 +111,7 @@ static inline void light_evenly(burnish_render_options *options) {
 /* One directional light, and no ambient light. */
 static inline void light_from(burnish_render_options *options, double x, double y, double z) {
     options->light_count = 1;
-    options->lights[0] = (burnish_light){BURNISH_LIGHT_DIRECTIONAL, 0, {x, y, z}, {1, 1, 1}};
+    options->lights[0] = (burnish_light){.vector = {x, y, z}, .color = {1, 1, 1}};
     set_three(options->ambient_light, 0);
 }
 

@@ -114,20 +114,13 @@ static void drop_file_lights(render_lights *lights, const burnish_mesh *mesh) {
 static burnish_status add_file_lights(const render_scene *scene, burnish_error *error) {
     burnish_render_options *options = scene->options;
     const size_t count = burnish_mesh_get_light_count(scene->mesh);
-    int has_spots = 0;
     if (count > (size_t)(BURNISH_LIGHT_MAX - options->light_count)) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--light: %d lights and %zu of the input are more than %d; omit some",
                         options->light_count, count, BURNISH_LIGHT_MAX);
     }
     for (size_t i = 0; i < count; ++i) {
-        const burnish_file_light *own = burnish_mesh_get_light(scene->mesh, i);
-        options->lights[options->light_count++] = own->light;
-        has_spots |= own->is_spot;
-    }
-    if (has_spots) {
-        render_warn(scene->warnings, 1,
-                    "--light=file: spot lights shine in all directions, like point lights");
+        options->lights[options->light_count++] = *burnish_mesh_get_light(scene->mesh, i);
     }
     return BURNISH_STATUS_OK;
 }

@@ -72,15 +72,25 @@ static decode_function *find_decoder(const uint8_t *bytes, size_t size) {
     return burnish_is_tga(bytes, size) ? burnish_decode_tga : NULL;
 }
 
+/* Why an image of a common format is not decoded; NULL: it is another one. */
+static const char *describe_undecoded(const uint8_t *bytes, size_t size) {
+    return size >= 7 && memcmp(bytes, "\xabKTX 20", 7) == 0
+               ? "KTX2 textures (Basis Universal) need a decoder that burnish does not have"
+           : size >= 12 && memcmp(bytes + 4, "ftypavif", 8) == 0 ? "AVIF is not supported"
+           : size >= 4 && memcmp(bytes, "DDS ", 4) == 0          ? "DDS is not supported"
+                                                                 : NULL;
+}
+
 burnish_status burnish_decode(const burnish_encoded *from, burnish_memory *memory,
                               burnish_image *picture) {
     decode_function *decode = find_decoder(from->bytes, from->size);
     *picture = (burnish_image){0};
     if (!decode) {
-        return burnish_fail(
-            memory->error, BURNISH_STATUS_FORMAT,
-            "%.200s: neither PNG nor JPEG nor WebP nor BMP nor TGA; convert it to one of them",
-            from->name);
+        const char *what = describe_undecoded(from->bytes, from->size);
+        return burnish_fail(memory->error, BURNISH_STATUS_FORMAT, "%.200s: %s; convert it to %s",
+                            from->name,
+                            what ? what : "neither PNG nor JPEG nor WebP nor BMP nor TGA",
+                            what ? "PNG" : "one of them");
     }
     burnish_outside_begin();
     burnish_status status = decode(from, memory, picture);

@@ -68,6 +68,7 @@ static void describe_mesh(burnish_builder *b) {
     b->mesh->info.point_count = b->data->point_count;
     b->mesh->info.thinning = b->data->thinning > 1 ? b->data->thinning : 1;
     b->mesh->info.line_count = b->data->line_count;
+    b->mesh->has_beside = b->data->beside_count > 0;
     memcpy(b->mesh->points_min, b->data->points_min, sizeof b->mesh->points_min);
     memcpy(b->mesh->points_max, b->data->points_max, sizeof b->mesh->points_max);
     b->mesh->info.unit = b->data->unit;
@@ -157,7 +158,7 @@ static burnish_mesh *allocate_mesh(burnish_mesh_data *data, burnish_format forma
 static burnish_normals_source choose_normals(const burnish_load_options *options,
                                              burnish_format format, const burnish_mesh_data *data) {
     const int is_questioned = data->has_average_normals && !data->has_normal_textures;
-    if (data->line_count > 0) {
+    if (data->line_count > 0 && data->beside_count == 0) {
         return BURNISH_NORMALS_FILE;
     }
     if (options->normals != BURNISH_NORMALS_AUTO) {

@@ -176,7 +176,7 @@ burnish_status burnish_build_measure(burnish_builder *b) {
     burnish_measured m = {.positions = burnish_positions(b->data),
                           .corners = b->corner_positions,
                           .position_count = b->position_count,
-                          .triangle_count = b->data->triangle_count,
+                          .triangle_count = b->data->triangle_count - b->data->beside_count,
                           .tasks = b->data->tasks,
                           .memory = b->memory};
     burnish_mesh_facts *facts = &b->mesh->facts;

@@ -56,7 +56,8 @@ typedef struct burnish_mesh_data {
     size_t thinning; /* > 1: a preview, of one in so many points or triangles; else all */
     float inner_min[3], inner_max[3];   /* of a point cloud: what is framed (read/common/cloud.h) */
     size_t line_count;                  /* drawn as triangles */
-    float points_min[3], points_max[3]; /* bounds of the lines' ends */
+    size_t beside_count;                /* of the last triangles: lines and points beside faces */
+    float points_min[3], points_max[3]; /* bounds of the lines' ends, and of faces beside them */
     float up_axis[3];                   /* unit length; all 0: the format's */
     const char *unit;                   /* burnish_mesh_info.unit */
 
@@ -74,7 +75,7 @@ typedef struct burnish_mesh_data {
     burnish_named_camera *cameras; /* with their names, which are owned */
     size_t camera_count, camera_capacity;
 
-    burnish_file_light *lights;
+    burnish_light *lights;
     size_t light_count, light_capacity;
 
     char **variants; /* names */

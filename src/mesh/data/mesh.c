@@ -237,7 +237,8 @@ const burnish_mesh_info *burnish_mesh_get_info(const burnish_mesh *mesh) {
 }
 
 const burnish_mesh_facts *burnish_mesh_get_facts(const burnish_mesh *mesh) {
-    const int has_faces = mesh && mesh->info.point_count == 0 && mesh->info.line_count == 0;
+    const int has_faces =
+        mesh && mesh->info.point_count == 0 && (mesh->info.line_count == 0 || mesh->has_beside);
     return has_faces && mesh->has_facts ? &mesh->facts : NULL;
 }
 
@@ -246,7 +247,8 @@ void burnish_mesh_get_bounds(const burnish_mesh *mesh, float low[3], float high[
     for (int k = 0; k < 3; ++k) {
         low[k] = !mesh ? 0 : are_points ? mesh->points_min[k] : mesh->view.bounds_min[k];
         high[k] = !mesh ? 0 : are_points ? mesh->points_max[k] : mesh->view.bounds_max[k];
-        if (mesh && mesh->info.line_count > 0) { /* inside the rods, unless a cut left less */
+        if (mesh && (mesh->info.line_count > 0 ||
+                     mesh->has_beside)) { /* inside the rods, unless a cut left less */
             low[k] = low[k] < mesh->points_min[k] ? mesh->points_min[k] : low[k];
             high[k] = high[k] > mesh->points_max[k] ? mesh->points_max[k] : high[k];
         }
@@ -281,7 +283,7 @@ size_t burnish_mesh_get_light_count(const burnish_mesh *mesh) {
     return mesh ? mesh->light_count : 0;
 }
 
-const burnish_file_light *burnish_mesh_get_light(const burnish_mesh *mesh, size_t index) {
+const burnish_light *burnish_mesh_get_light(const burnish_mesh *mesh, size_t index) {
     return mesh && index < mesh->light_count ? &mesh->lights[index] : NULL;
 }
 

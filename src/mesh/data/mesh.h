@@ -11,6 +11,7 @@ struct burnish_mesh {
     int has_facts;
     int has_strays;                     /* 1: the inner box is framed, as of points */
     float inner_min[3], inner_max[3];   /* as in burnish_mesh_data */
+    int has_beside;                     /* 1: lines or points beside faces */
     float points_min[3], points_max[3]; /* the same; of a point cloud, of what a cut has left */
     const burnish_context *context;     /* allocates all arrays */
 
@@ -27,7 +28,7 @@ struct burnish_mesh {
     burnish_named_camera *cameras; /* with their names */
     size_t camera_count;
 
-    burnish_file_light *lights;
+    burnish_light *lights;
     size_t light_count;
 
     char **variants;

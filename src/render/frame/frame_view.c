@@ -132,15 +132,36 @@ static burnish_vec3 from_camera_space(const camera_frame *frame, burnish_vec3 v)
 /* Beyond this many scene sizes a point light's rays are parallel to the last bit of a float. */
 #define POINT_REACH 0x1p40
 
+/* A point light's cone, and how it falls off, in the raster's scale. */
+static void make_beam(const camera_frame *frame, double unit, const burnish_light *light,
+                      burnish_light *made) {
+    burnish_vec3 axis = burnish_vec3_load(light->axis);
+    float rounded[3];
+    axis = light->follows_camera ? from_camera_space(frame, axis) : axis;
+    burnish_space_store(burnish_vec3_normalize(axis), rounded);
+    for (int k = 0; k < 3; ++k) {
+        made->axis[k] = (double)rounded[k];
+    }
+    memcpy(made->cone, light->cone, sizeof made->cone);
+    made->distance = light->distance * unit;
+    made->range = light->range * unit;
+}
+
+/* The length of a light's unit: positions in camera space count in distances of the camera. */
+static double light_unit(const camera_frame *frame, const burnish_camera *camera,
+                         const burnish_light *light) {
+    const burnish_vec3 reach = burnish_vec3_sub(burnish_vec3_load(camera->focal_point),
+                                                burnish_vec3_load(camera->position));
+    return frame->scale * (light->follows_camera ? burnish_vec3_length(reach) : 1);
+}
+
 /* Where a light stands from the eye, or in which direction. */
 static burnish_vec3 light_vector(const camera_frame *frame, const burnish_mesh_view *mesh,
                                  const burnish_camera *camera, const burnish_light *light) {
     const int is_point = light->kind == BURNISH_LIGHT_POINT;
     burnish_vec3 v = burnish_vec3_load(light->vector);
     if (light->follows_camera) {
-        burnish_vec3 reach = burnish_vec3_sub(burnish_vec3_load(camera->focal_point),
-                                              burnish_vec3_load(camera->position));
-        double unit = is_point ? burnish_vec3_length(reach) * frame->scale : 1;
+        double unit = is_point ? light_unit(frame, camera, light) : 1;
         return burnish_vec3_scale(from_camera_space(frame, v), unit);
     }
     if (is_point) {
@@ -169,6 +190,9 @@ static burnish_light make_light(const camera_frame *frame, const burnish_mesh_vi
                     : BURNISH_LIGHT_DIRECTIONAL;
     if (made.kind == BURNISH_LIGHT_DIRECTIONAL) {
         v = burnish_vec3_normalize(burnish_vec3_scale(v, 1 / largest));
+    }
+    if (made.kind == BURNISH_LIGHT_POINT) {
+        make_beam(frame, light_unit(frame, camera, light), light, &made);
     }
     burnish_space_store(v, vector);
     for (int k = 0; k < 3; ++k) {

@@ -33,7 +33,7 @@ typedef struct look {
     { 0.90, 0.15, 0.55 }
 #define RIM                                                                                        \
     { 0.35, 0.60, -0.80 }
-#define LIGHT BURNISH_LIGHT_DIRECTIONAL, 1
+#define LIGHT .follows_camera = 1, .vector
 #define EDGE_WIDTH 1.8f
 
 /* A rectangle that faces the object, far away. */
@@ -71,9 +71,9 @@ static const burnish_dome STUDIO_DOME = {
  * white. THREE_POINT's grey is as bright under its lights as burnish's 0.34 under PLAIN's; STUDIO's is
  * a little brighter. */
 static const look LOOKS[BURNISH_LOOK_COUNT] = {
-    [BURNISH_LOOK_PLAIN] = {.lights = {{LIGHT, KEY, {1.22f, 1.19f, 1.13f}},
-                                       {LIGHT, FILL, {0.24f, 0.28f, 0.34f}},
-                                       {LIGHT, RIM, {0.68f, 0.68f, 0.72f}}},
+    [BURNISH_LOOK_PLAIN] = {.lights = {{LIGHT = KEY, .color = {1.22f, 1.19f, 1.13f}},
+                                       {LIGHT = FILL, .color = {0.24f, 0.28f, 0.34f}},
+                                       {LIGHT = RIM, .color = {0.68f, 0.68f, 0.72f}}},
                             .light_count = 3,
                             .ambient = 0.08f,
                             .background = {255, 255, 255},
@@ -96,9 +96,9 @@ static const look LOOKS[BURNISH_LOOK_COUNT] = {
                              .edges = BURNISH_EDGES_AXIS_VIEWS,
                              .edge_width = EDGE_WIDTH,
                              .outline_contrast = 36},
-    [BURNISH_LOOK_CLAY] = {.lights = {{LIGHT, KEY, {0.60f, 0.59f, 0.57f}},
-                                      {LIGHT, FILL, {0.14f, 0.16f, 0.19f}},
-                                      {LIGHT, RIM, {0.25f, 0.25f, 0.26f}}},
+    [BURNISH_LOOK_CLAY] = {.lights = {{LIGHT = KEY, .color = {0.60f, 0.59f, 0.57f}},
+                                      {LIGHT = FILL, .color = {0.14f, 0.16f, 0.19f}},
+                                      {LIGHT = RIM, .color = {0.25f, 0.25f, 0.26f}}},
                            .light_count = 3,
                            .ambient = 0.18f,
                            .recolors = ALL,
@@ -110,7 +110,8 @@ static const look LOOKS[BURNISH_LOOK_COUNT] = {
                            .edges = BURNISH_EDGES_AXIS_VIEWS,
                            .edge_width = EDGE_WIDTH},
     /* Light enough everywhere that black lines stand out. */
-    [BURNISH_LOOK_TECHNICAL] = {.lights = {{LIGHT, {-0.45, 0.75, 0.85}, {0.50f, 0.50f, 0.50f}}},
+    [BURNISH_LOOK_TECHNICAL] = {.lights = {{LIGHT = {-0.45, 0.75, 0.85},
+                                            .color = {0.50f, 0.50f, 0.50f}}},
                                 .light_count = 1,
                                 .ambient = 0.36f,
                                 .recolors = UNCOLORED,
@@ -128,7 +129,7 @@ static const look LOOKS[BURNISH_LOOK_COUNT] = {
                               .edges = BURNISH_EDGES_FEATURES,
                               .edge_width = EDGE_WIDTH},
     /* A dark material, which makes the highlight prominent. */
-    [BURNISH_LOOK_LOBES] = {.lights = {{LIGHT, KEY, {1, 1, 1}}},
+    [BURNISH_LOOK_LOBES] = {.lights = {{LIGHT = KEY, .color = {1, 1, 1}}},
                             .light_count = 1,
                             .ambient = 0.08f,
                             .recolors = UNCOLORED,
@@ -137,9 +138,9 @@ static const look LOOKS[BURNISH_LOOK_COUNT] = {
                             .background = {255, 255, 255},
                             .occlusion_strength = 0.75f,
                             .edge_width = EDGE_WIDTH},
-    [BURNISH_LOOK_THREE_POINT] = {.lights = {{LIGHT, KEY, {0.70f, 0.685f, 0.65f}},
-                                             {LIGHT, FILL, {0.16f, 0.185f, 0.22f}},
-                                             {LIGHT, RIM, {0.36f, 0.36f, 0.38f}}},
+    [BURNISH_LOOK_THREE_POINT] = {.lights = {{LIGHT = KEY, .color = {0.70f, 0.685f, 0.65f}},
+                                             {LIGHT = FILL, .color = {0.16f, 0.185f, 0.22f}},
+                                             {LIGHT = RIM, .color = {0.36f, 0.36f, 0.38f}}},
                                   .light_count = 3,
                                   .ambient = 0.08f,
                                   .recolors = UNCOLORED,

@@ -90,6 +90,15 @@ static burnish_status check_lights(const burnish_render_options *options, burnis
                                 "and a colour in [0, 1e6]",
                                 i + 1);
         }
+        if (!all_finite(light->axis, 3) || !(light->distance >= 0 && light->distance <= 1e30) ||
+            !(light->range >= 0 && light->range <= 1e30) || !(light->cone[1] >= -1) ||
+            !(light->cone[0] >= light->cone[1] && light->cone[0] <= 1)) {
+            return burnish_fail(
+                error, BURNISH_STATUS_ARGUMENT,
+                "light %d: needs distances in [0, 1e30], and of a cone a finite axis "
+                "and cosines, the larger one first",
+                i + 1);
+        }
     }
     if ((unsigned)options->specular_model > BURNISH_SPECULAR_PHONG) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "specular model %d does not exist",

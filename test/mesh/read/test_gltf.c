@@ -334,12 +334,42 @@ static void test_points(void) {
                    fabs(sum[1] - (point == 0 ? 2 : 0)) < 1e-5 && fabs(sum[2]) < 1e-5);
         }
     }
-    CHECK1(read_gltf("$head$triangle_accessors,'meshes':[{'primitives':[{'attributes':{'POSITION':"
-                     "0}},{'mode':3,'attributes':{'POSITION':0}}]}],$node}") == BURNISH_STATUS_OK &&
-           got.triangle_count == 1 && got.warning_count == 1);
-    CHECK_TEXT(
-        got.warnings[0],
-        "mesh.gltf:1: meshes[0].primitives[1]: lines are not drawn in a file with triangles");
+}
+
+/* How far vertices of a solid are from the middle of its ends, at most and at least. */
+static int is_around(size_t solid, size_t vertices, double x, double y, double radius) {
+    int is = 1;
+    const size_t base = 3 + vertices * solid;
+    double middle[3] = {0, 0, 0};
+    for (size_t i = 0; i < 3 * vertices; ++i) {
+        const double value = (double)burnish_positions(&got)[3 * base + i];
+        middle[i % 3] += value / (double)vertices;
+        is &= i % 3 != 2 || fabs(value) <= radius * 1.0001;
+    }
+    return is && fabs(middle[0] - x) < 1e-5 && fabs(middle[1] - y) < 1e-5;
+}
+
+/* Lines and points beside a triangle with the corners (0, 0), (1, 0), (0, 2): solids in the lines'
+ * colours without light, which the bounds leave out. */
+static void test_beside(void) {
+    read_good("$head$triangle_accessors,'materials':[{},{'pbrMetallicRoughness':{'baseColorFactor'"
+              ":[0,0,1,1]}}],'meshes':[{'primitives':[{'attributes':{'POSITION':0},'material':0},"
+              "{'mode':3,'attributes':{'POSITION':0},'material':1},"
+              "{'mode':0,'attributes':{'POSITION':0}}]}],$node}",
+              NULL);
+    CHECK1(got.warning_count == 0 && got.triangle_count == 1 + 5 * 8 && got.line_count == 2);
+    CHECK1(got.beside_count == 5 * 8 && got.streams[BURNISH_POSITION].count == 3 + 5 * 6);
+    const double radius = sqrt(5) / 800; /* of lines */
+    for (size_t i = 0; i < 5; ++i) {
+        static const double middles[5][2] = {{0, 0}, {1, 0}, {0, 2}, {0.5, 0}, {0.5, 1}};
+        CHECK1(is_around(i, 6, middles[i][0], middles[i][1], i < 3 ? 3 * radius : radius));
+        const uint8_t *color = burnish_colors(&got) + 4 * (3 + 6 * i);
+        CHECK1(color[0] == (i < 3 ? 255 : 0) && color[2] == 255);
+        CHECK1(got.triangle_materials[1 + 8 * i] == 3);
+    }
+    CHECK1(got.triangle_materials[0] == 0 && got.material_count == 4 && got.materials[3].is_unlit &&
+           got.materials[3].diffuse[1] == 1 && burnish_colors(&got)[0] == 255);
+    CHECK1(got.points_min[0] == 0 && got.points_min[2] == 0 && got.points_max[1] == 2);
 }
 
 /* ---- Threads ---- */
@@ -441,5 +471,6 @@ int main(int count, char **arguments) {
     RUN(test_threads());
     RUN(test_lines());
     RUN(test_points());
+    RUN(test_beside());
     return test_end("gltf");
 }

@@ -240,7 +240,8 @@ static void test_cameras(void) {
 static void test_lights(void) {
     read_good("$head$triangle,'extensionsUsed':['KHR_lights_punctual'],"
               "'extensions':{'KHR_lights_punctual':{'lights':[{'type':'directional',"
-              "'intensity':2},{'type':'spot','intensity':18,'color':[1,0.5,0]},"
+              "'intensity':2},{'type':'spot','intensity':18,'color':[1,0.5,0],"
+              "'range':7,'spot':{'outerConeAngle':1.0471975511965976}},"
               "{'type':'point','intensity':0}]}},'nodes':[{'mesh':0},"
               "{'extensions':{'KHR_lights_punctual':{'light':0}},'translation':[7,8,9]},"
               "{'extensions':{'KHR_lights_punctual':{'light':1}},'translation':[-2.5,1,"
@@ -250,11 +251,12 @@ static void test_lights(void) {
               "'KHR_node_visibility':{'visible':false}}}]}",
               NULL);
     if (CHECK1(got.light_count == 2)) {
-        const burnish_light *sun = &got.lights[0].light, *lamp = &got.lights[1].light;
-        CHECK1(sun->kind == BURNISH_LIGHT_DIRECTIONAL && !got.lights[0].is_spot &&
-               !sun->follows_camera);
+        const burnish_light *sun = &got.lights[0], *lamp = &got.lights[1];
+        CHECK1(sun->kind == BURNISH_LIGHT_DIRECTIONAL && !sun->follows_camera);
         CHECK1(sun->vector[0] == 0 && sun->vector[1] == 0 && sun->vector[2] == 1);
-        CHECK1(lamp->kind == BURNISH_LIGHT_POINT && got.lights[1].is_spot);
+        CHECK1(lamp->kind == BURNISH_LIGHT_POINT && lamp->distance == 3 && lamp->range == 7);
+        CHECK1(lamp->axis[0] == 0 && lamp->axis[1] == 0 && lamp->axis[2] == -1);
+        CHECK1(lamp->cone[0] == 1 && fabs(lamp->cone[1] - 0.5) < 1e-12);
         CHECK1(lamp->vector[0] == -2.5 && lamp->vector[1] == 1 && lamp->vector[2] == 0);
         for (int k = 0; k < 3; ++k) {
             CHECK1(sun->color[k] == 1 && fabsf(lamp->color[k] - (1 - 0.5f * (float)k)) < 1e-6f);
@@ -486,6 +488,32 @@ static void test_texture_sets(void) {
     }
 }
 
+/* Images of formats that are not decoded: the other image of the texture, or one warning for all. */
+static void test_undecoded_images(void) {
+#define KTX "{'uri':'data:image/ktx2;base64,q0tUWCAyMLs='}"
+    for (int has_other = 0; has_other < 2; ++has_other) {
+        char json[2048];
+        snprintf(json, sizeof json,
+                 "$head$triangle_accessors,'extensionsRequired':['KHR_texture_basisu'],"
+                 "'extensionsUsed':['KHR_texture_basisu'],'images':[$image," KTX "," KTX "],"
+                 "'textures':[{%s'extensions':{'KHR_texture_basisu':{'source':1}}},"
+                 "{%s'extensions':{'KHR_texture_basisu':{'source':2}}}],'materials':[{"
+                 "'emissiveTexture':{'index':1},'pbrMetallicRoughness':{'baseColorTexture':"
+                 "{'index':0}}}],$painted}",
+                 has_other ? "'source':0," : "", has_other ? "'source':0," : "");
+        read_good(json, NULL);
+        CHECK1(got.texture_count == (size_t)has_other && got.warning_count == (size_t)!has_other &&
+               got.materials[0].textures[BURNISH_TEXTURE_COLOR].texture == has_other);
+    }
+#undef KTX
+    read_good("$head$triangle_accessors,'extensionsUsed':['EXT_texture_avif'],'images':[{'uri':"
+              "'data:;base64,AAAAAGZ0eXBhdmlm'}],'textures':[{'extensions':{'EXT_texture_avif':"
+              "{'source':0}}}],'materials':[{'emissiveTexture':{'index':0}}],$painted}",
+              NULL);
+    check_warning("mesh.gltf:1: texture \"images[0]\" was skipped: images[0]: AVIF is not "
+                  "supported; convert it to PNG");
+}
+
 /* Missing images are skipped. After several damaged images, no more are tried. */
 static void test_damaged_images(void) {
     static const char *const images[] = {"{'uri':'data:image/png;base64,AAAA'}",
@@ -605,5 +633,6 @@ int main(int count, char **arguments) {
     RUN(test_layers());
     RUN(test_texture_sets());
     RUN(test_damaged_images());
+    RUN(test_undecoded_images());
     return test_end("gltf_scene");
 }

@@ -9,8 +9,8 @@
 
 #include "base/elementary.h"
 #include "core/srgb.h"
+#include "mesh/read/common/beside_faces.h"
 #include "mesh/read/common/local_origin.h"
-#include "mesh/read/common/points.h"
 #include "mesh/read/common/textures.h"
 #include "mesh/read/io/budget.h"
 
@@ -37,6 +37,7 @@ typedef struct gltf_drawer {
     double base_color[4];      /* of lines and points */
     burnish_segment *segments; /* lines */
     size_t segment_count;
+    int is_beside; /* 1: of a file with triangles, which has drawn those */
 
     const burnish_gltf_primitive *primitive;
     const burnish_gltf_accessor *position, *normal, *tangent, *color, *texcoords[2], *indices;
@@ -269,7 +270,8 @@ static void draw_lines_or_points(gltf_drawer *drawer) {
             }
         }
         if (drawer->segments) {
-            drawer->segments[drawer->segment_count++] = (burnish_segment){vertices[0], vertices[1]};
+            drawer->segments[drawer->segment_count++] =
+                (burnish_segment){vertices[0], vertices[ends - 1]};
         }
         if (i % STEP == STEP - 1) {
             gltf->status = burnish_tasks_check(drawer->mesh->tasks, gltf->reader->error);
@@ -311,9 +313,12 @@ static uint16_t material_at(gltf_drawer *drawer, const burnish_gltf_primitive *p
     burnish_gltf *gltf = drawer->gltf;
     const size_t plain = gltf->counts[BURNISH_GLTF_MATERIALS];
     const size_t own = primitive->material == BURNISH_GLTF_NONE ? plain : primitive->material;
-    burnish_material scaled = mesh->materials[own];
     size_t number = plain;
     double squares = 0;
+    if (drawer->is_beside) { /* unlit, of materials of its own */
+        return (uint16_t)own;
+    }
+    burnish_material scaled = mesh->materials[own];
     for (int i = 0; i < 12; ++i) {
         squares += i % 4 < 3 ? matrix[i] * matrix[i] / 3 : 0;
     }
@@ -371,6 +376,9 @@ static void count_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
     (void)node;
     static const char *const kinds[] = {"points", "lines", "triangles"};
     const burnish_gltf_kind kind = burnish_gltf_kind_of(primitive);
+    if (kind != drawer->kind && (drawer->is_beside || drawer->kind == BURNISH_GLTF_TRIANGLES)) {
+        return; /* add_beside */
+    }
     if (kind != drawer->kind) {
         burnish_gltf_note(gltf, &gltf->undrawn, primitive->value,
                           "%s are not drawn in a file with %s", kinds[kind], kinds[drawer->kind]);
@@ -393,6 +401,9 @@ static void count_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
     }
     drawer->has[BURNISH_TEXCOORD] |= drawer->has[BURNISH_TEXCOORD2];
     material_at(drawer, primitive, matrix);
+    if (drawer->is_beside) {
+        return; /* burnish_fits_beside */
+    }
     if (drawer->elements > gltf->reader->input->options->max_triangles) {
         gltf->status = burnish_fail_triangles(gltf->reader, NULL);
     } else if (kind == BURNISH_GLTF_TRIANGLES) {
@@ -466,7 +477,16 @@ static void for_each_primitive(gltf_drawer *drawer, use_primitive *use) {
     }
 }
 
-static void reserve_streams(gltf_drawer *drawer) {
+static void release_drawer(gltf_drawer *drawer) {
+    const burnish_context *context = drawer->gltf->memory->context;
+    burnish_release(context, drawer->segments);
+    burnish_release(context, drawer->slots);
+    burnish_release(context, drawer->sources);
+    burnish_release(context, drawer->shape.targets);
+}
+
+/* segments: lines, and points beside triangles */
+static void reserve_streams(gltf_drawer *drawer, size_t segments) {
     burnish_gltf *gltf = drawer->gltf;
     burnish_mesh_data *mesh = drawer->mesh;
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
@@ -477,9 +497,9 @@ static void reserve_streams(gltf_drawer *drawer) {
     if (drawer->kind == BURNISH_GLTF_TRIANGLES) {
         burnish_mesh_data_reserve_corners(mesh, BURNISH_POSITION, (size_t)drawer->elements);
     }
-    if (drawer->kind == BURNISH_GLTF_LINES) {
-        drawer->segments = burnish_allocate(gltf->memory, (size_t)drawer->elements,
-                                            sizeof *drawer->segments, "lines");
+    if (segments > 0) {
+        drawer->segments =
+            burnish_allocate(gltf->memory, segments, sizeof *drawer->segments, "lines");
     }
     if (drawer->kind == BURNISH_GLTF_TRIANGLES && mesh->material_count > 1) {
         mesh->triangle_materials = burnish_reserve_discard(
@@ -534,6 +554,41 @@ static void make_solids(gltf_drawer *drawer) {
     drawer->mesh->material_count = 1;
 }
 
+/* Adds the lines and points of a file with triangles. */
+static void add_beside(burnish_gltf *gltf) {
+    burnish_mesh_data *mesh = gltf->reader->mesh;
+    burnish_mesh_data ends =
+        burnish_mesh_data_begin(gltf->memory->context, mesh->tasks, gltf->reader->error);
+    gltf_drawer drawer = {.gltf = gltf, .mesh = &ends, .has = {[BURNISH_POSITION] = 1}};
+    memcpy(ends.origin, mesh->origin, sizeof ends.origin);
+    drawer.is_beside = 1;
+    for (int kind = BURNISH_GLTF_POINTS; kind <= BURNISH_GLTF_LINES; ++kind) {
+        drawer.kind = (burnish_gltf_kind)kind;
+        for_each_primitive(&drawer, count_primitive);
+    }
+    if (gltf->status != BURNISH_STATUS_OK || drawer.elements == 0 ||
+        !burnish_fits_beside(gltf->reader, drawer.elements)) {
+        return;
+    }
+    drawer.has[BURNISH_NORMAL] = drawer.has[BURNISH_TANGENT] = 0;
+    drawer.has[BURNISH_TEXCOORD] = drawer.has[BURNISH_TEXCOORD2] = 0;
+    reserve_streams(&drawer, (size_t)drawer.elements);
+    if (gltf->memory->status == BURNISH_STATUS_OK) {
+        gltf->memory->status = ends.memory.status;
+    }
+    for (int kind = BURNISH_GLTF_POINTS; kind <= BURNISH_GLTF_LINES && burnish_gltf_is_fine(gltf);
+         ++kind) {
+        drawer.kind = (burnish_gltf_kind)kind;
+        for_each_primitive(&drawer, draw_primitive);
+    }
+    if (gltf->status == BURNISH_STATUS_OK) {
+        gltf->status =
+            burnish_add_beside(gltf->reader, &ends, drawer.segments, drawer.segment_count);
+    }
+    release_drawer(&drawer);
+    burnish_mesh_data_destroy(&ends);
+}
+
 void burnish_gltf_read_geometry(burnish_gltf *gltf) {
     const burnish_load_options *options = gltf->reader->input->options;
     gltf_drawer drawer = {
@@ -557,7 +612,7 @@ void burnish_gltf_read_geometry(burnish_gltf *gltf) {
     if (gltf->status != BURNISH_STATUS_OK) {
         return;
     }
-    reserve_streams(&drawer);
+    reserve_streams(&drawer, drawer.kind == BURNISH_GLTF_LINES ? (size_t)drawer.elements : 0);
     draw_all(&drawer);
     if (!options->origin) {
         draw_from_origin(&drawer);
@@ -568,9 +623,8 @@ void burnish_gltf_read_geometry(burnish_gltf *gltf) {
     }
     if (gltf->status == BURNISH_STATUS_OK && drawer.kind != BURNISH_GLTF_TRIANGLES) {
         make_solids(&drawer);
+    } else if (gltf->status == BURNISH_STATUS_OK && !scalar) {
+        add_beside(gltf);
     }
-    burnish_release(gltf->memory->context, drawer.segments);
-    burnish_release(gltf->memory->context, drawer.slots);
-    burnish_release(gltf->memory->context, drawer.sources);
-    burnish_release(gltf->memory->context, drawer.shape.targets);
+    release_drawer(&drawer);
 }

@@ -8,9 +8,10 @@
 
 enum { CAMERAS_MAX = 4096 };
 
-/* The middle of the box around the positions. */
-static void find_middle(const burnish_mesh_data *mesh, double middle[3]) {
+/* The middle of the box around the positions. Returns half its diagonal. */
+static double find_middle(const burnish_mesh_data *mesh, double middle[3]) {
     const float *positions = burnish_positions(mesh);
+    double squared = 0;
     for (int axis = 0; axis < 3; ++axis) {
         float low = positions[axis], high = positions[axis];
         for (size_t i = 1; i < mesh->streams[BURNISH_POSITION].count; ++i) {
@@ -19,7 +20,9 @@ static void find_middle(const burnish_mesh_data *mesh, double middle[3]) {
             high = value > high ? value : high;
         }
         middle[axis] = ((double)low + high) / 2;
+        squared += ((double)high - low) * ((double)high - low);
     }
+    return burnish_sqrt(squared) / 2;
 }
 
 /* Returns 0 if a node's matrix leaves no direction, or numbers exceed the range that is drawn. */
@@ -110,8 +113,9 @@ void burnish_gltf_read_cameras(burnish_gltf *gltf) {
 #define INTENSITY_MAX 1e30
 
 typedef struct gltf_lights {
-    burnish_file_light items[BURNISH_LIGHT_MAX];
+    burnish_light items[BURNISH_LIGHT_MAX];
     double colors[BURNISH_LIGHT_MAX][3]; /* what arrives at the middle: lux, any of three */
+    double middle[3], radius;            /* of the box */
     double toward[BURNISH_LIGHT_MAX][3]; /* unit, from the middle */
     size_t count;
 } gltf_lights;
@@ -129,50 +133,74 @@ static double normalize_direction(double direction[3]) {
     return length;
 }
 
-/* The position of a light relative to the middle. Returns 0 if it can't be used. */
-static int place_light(const double matrix[12], const double origin[3], const double middle[3],
-                       burnish_light *light, double toward[3], double *fall_off) {
+/* The position of a light relative to the middle, and where a point light has its colour: at the
+ * middle, or half the radius away if it is nearer. Returns 0 if it can't be used. */
+static int place_light(const double matrix[12], const double origin[3], const gltf_lights *lights,
+                       burnish_light *light, double toward[3]) {
     for (int row = 0; row < 3; ++row) {
         const double *m = matrix + 4 * row;
         if (light->kind == BURNISH_LIGHT_DIRECTIONAL) {
             light->vector[row] = toward[row] = m[2];
         } else {
             light->vector[row] = m[3] - origin[row];
-            toward[row] = light->vector[row] - middle[row];
+            toward[row] = light->vector[row] - lights->middle[row];
         }
     }
     const double distance = normalize_direction(toward);
     if (light->kind == BURNISH_LIGHT_DIRECTIONAL) {
         memcpy(light->vector, toward, sizeof light->vector);
-        *fall_off = 1;
-    } else { /* one in the very middle of the object lights it without falling off */
-        *fall_off = distance > 0 ? 1 / (distance * distance) : 1;
-        return light->vector[0] > -1e30 && light->vector[0] < 1e30 && light->vector[1] > -1e30 &&
-               light->vector[1] < 1e30 && light->vector[2] > -1e30 && light->vector[2] < 1e30;
+    } else {
+        light->distance = distance > lights->radius / 2 ? distance : lights->radius / 2;
+        return light->distance > 1e-30 && light->vector[0] > -1e30 && light->vector[0] < 1e30 &&
+               light->vector[1] > -1e30 && light->vector[1] < 1e30 && light->vector[2] > -1e30 &&
+               light->vector[2] < 1e30;
     }
     return distance > 0;
 }
 
+/* The cone of a spot light, which shines along -z of its node. */
+static void read_cone(burnish_gltf *gltf, uint32_t spot, const double matrix[12],
+                      burnish_light *light) {
+    static const char *const names[2] = {"innerConeAngle", "outerConeAngle"};
+    for (int i = 1; i >= 0; --i) {
+        const double angle = burnish_gltf_number(gltf, spot, names[i], i * BURNISH_DEGREE * 45);
+        double sine;
+        burnish_sincos(angle > 0 && angle < 90 * BURNISH_DEGREE ? angle
+                       : angle > 0                              ? 90 * BURNISH_DEGREE
+                                                                : 0,
+                       &sine, &light->cone[i]);
+    }
+    light->cone[0] = light->cone[0] > light->cone[1] ? light->cone[0] : light->cone[1];
+    for (int row = 0; row < 3; ++row) {
+        light->axis[row] = -matrix[4 * row + 2];
+    }
+    normalize_direction(light->axis);
+}
+
 static void add_light(burnish_gltf *gltf, const burnish_gltf_node *node, uint32_t value,
-                      const double middle[3], gltf_lights *lights) {
+                      gltf_lights *lights) {
     const uint32_t type = burnish_json_member(&gltf->json, value, "type");
     const int is_directional = burnish_json_is_text(&gltf->json, type, "directional");
     const int is_spot = burnish_json_is_text(&gltf->json, type, "spot");
     const size_t at = lights->count;
-    burnish_file_light *item = &lights->items[at];
-    double color[3] = {1, 1, 1}, fall_off, brightest = 0;
+    burnish_light *item = &lights->items[at];
+    double color[3] = {1, 1, 1}, brightest = 0;
     const double intensity = burnish_gltf_number(gltf, value, "intensity", 1);
     burnish_gltf_numbers(gltf, value, "color", 3, color);
-    *item = (burnish_file_light){.light.kind = is_directional ? BURNISH_LIGHT_DIRECTIONAL
-                                                              : BURNISH_LIGHT_POINT,
-                                 .is_spot = is_spot};
+    *item =
+        (burnish_light){.kind = is_directional ? BURNISH_LIGHT_DIRECTIONAL : BURNISH_LIGHT_POINT};
     if (!is_directional && !is_spot && !burnish_json_is_text(&gltf->json, type, "point")) {
         return;
     }
-    if (!place_light(node->matrix, gltf->reader->mesh->origin, middle, &item->light,
-                     lights->toward[at], &fall_off)) {
+    if (!place_light(node->matrix, gltf->reader->mesh->origin, lights, item, lights->toward[at])) {
         return;
     }
+    if (is_spot) {
+        read_cone(gltf, burnish_gltf_object(gltf, value, "spot"), node->matrix, item);
+    }
+    const double range = is_directional ? 0 : burnish_gltf_number(gltf, value, "range", 0);
+    const double fall_off = is_directional ? 1 : 1 / (item->distance * item->distance);
+    item->range = range > 0 && range < 1e30 ? range : 0;
     for (int i = 0; i < 3; ++i) {
         lights->colors[at][i] = color[i] > 0 ? color[i] * intensity * fall_off : 0;
         brightest = lights->colors[at][i] > brightest ? lights->colors[at][i] : brightest;
@@ -207,7 +235,7 @@ static void keep_lights(burnish_gltf *gltf, gltf_lights *lights) {
     }
     for (size_t i = 0; i < lights->count; ++i) {
         for (int k = 0; k < 3; ++k) {
-            lights->items[i].light.color[k] = (float)(lights->colors[i][k] / most);
+            lights->items[i].color[k] = (float)(lights->colors[i][k] / most);
         }
     }
     memcpy(mesh->lights, lights->items, lights->count * sizeof *mesh->lights);
@@ -216,7 +244,6 @@ static void keep_lights(burnish_gltf *gltf, gltf_lights *lights) {
 
 void burnish_gltf_read_lights(burnish_gltf *gltf) {
     gltf_lights lights = {.count = 0};
-    double middle[3];
     size_t count;
     const uint32_t extension = burnish_gltf_extension(gltf, 0, "KHR_lights_punctual");
     if (extension == BURNISH_JSON_NONE) {
@@ -226,7 +253,7 @@ void burnish_gltf_read_lights(burnish_gltf *gltf) {
     const uint32_t array = burnish_gltf_array(gltf, extension, "lights");
     uint32_t *values = burnish_gltf_items(gltf, array, &count);
     if (values) {
-        find_middle(gltf->reader->mesh, middle);
+        lights.radius = find_middle(gltf->reader->mesh, lights.middle);
     }
     for (size_t i = 0; values && i < gltf->counts[BURNISH_GLTF_NODES] &&
                        gltf->status == BURNISH_STATUS_OK && lights.count < BURNISH_LIGHT_MAX;
@@ -235,7 +262,7 @@ void burnish_gltf_read_lights(burnish_gltf *gltf) {
             burnish_gltf_extension(gltf, gltf->lists[BURNISH_GLTF_NODES][i], "KHR_lights_punctual");
         const uint64_t number = burnish_gltf_whole(gltf, own, "light", UINT64_MAX, UINT32_MAX);
         if (gltf->nodes[i].is_drawn && number < count) {
-            add_light(gltf, &gltf->nodes[i], values[number], middle, &lights);
+            add_light(gltf, &gltf->nodes[i], values[number], &lights);
         }
     }
     if (gltf->status == BURNISH_STATUS_OK && lights.count > 0) {

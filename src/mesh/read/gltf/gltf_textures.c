@@ -32,7 +32,8 @@ static int decode_bytes(burnish_gltf *gltf, uint32_t image, const uint8_t *bytes
     const int number = burnish_reader_decode_texture(
         gltf->reader, burnish_json_at(&gltf->json, image),
         burnish_gltf_image_name(gltf, image).text, bytes, size, is_color);
-    gltf->damaged_images += number == 0;
+    const int is_ktx = size >= 4 && memcmp(bytes, "\xabKTX", 4) == 0; /* which fails at once */
+    gltf->damaged_images += number == 0 && !is_ktx;
     return number;
 }
 
@@ -182,6 +183,19 @@ static void read_transform(burnish_gltf *gltf, uint32_t transform, burnish_textu
     }
 }
 
+/* The image of a texture. One that has only images of formats that are not decoded gets one of them,
+ * for the message. */
+static uint32_t image_of_texture(burnish_gltf *gltf, uint32_t texture) {
+    static const char *const names[] = {"EXT_texture_webp", NULL, "KHR_texture_basisu",
+                                        "EXT_texture_avif", "MSFT_texture_dds"};
+    uint32_t image = BURNISH_GLTF_NONE;
+    for (size_t i = 0; i < sizeof names / sizeof *names && image == BURNISH_GLTF_NONE; ++i) {
+        const uint32_t owner = names[i] ? burnish_gltf_extension(gltf, texture, names[i]) : texture;
+        image = burnish_gltf_reference(gltf, owner, "source", BURNISH_GLTF_IMAGES);
+    }
+    return image;
+}
+
 burnish_texture_use burnish_gltf_read_texture(burnish_gltf *gltf, uint32_t object, const char *key,
                                               burnish_gltf_image_kind kind, const char *strength) {
     burnish_texture_use use = {.strength = 1};
@@ -202,11 +216,7 @@ burnish_texture_use burnish_gltf_read_texture(burnish_gltf *gltf, uint32_t objec
         return none;
     }
     const uint32_t texture = gltf->lists[BURNISH_GLTF_TEXTURES][number];
-    const uint32_t webp = burnish_gltf_extension(gltf, texture, "EXT_texture_webp");
-    uint32_t image = burnish_gltf_reference(gltf, webp, "source", BURNISH_GLTF_IMAGES);
-    if (image == BURNISH_GLTF_NONE) {
-        image = burnish_gltf_reference(gltf, texture, "source", BURNISH_GLTF_IMAGES);
-    }
+    const uint32_t image = image_of_texture(gltf, texture);
     const uint32_t sampler =
         burnish_gltf_reference(gltf, texture, "sampler", BURNISH_GLTF_SAMPLERS);
     if (sampler != BURNISH_GLTF_NONE) {
