@@ -108,6 +108,14 @@ typedef enum burnish_normals_source {
        and FILE draws balls. */
 } burnish_normals_source;
 
+/* Whether the picture that a 3MF package holds of itself is drawn, on a sheet that faces the viewer.
+ * It is no geometry: burnish_mesh_info.is_thumbnail. */
+typedef enum burnish_thumbnail {
+    BURNISH_THUMBNAIL_AUTO,  /* if it has no mesh (sliced), or is encrypted, with a warning */
+    BURNISH_THUMBNAIL_NEVER, /* such a file fails with FORMAT */
+    BURNISH_THUMBNAIL_ONLY   /* always; other formats ignore it */
+} burnish_thumbnail;
+
 /* No animation: the scene as stored in the file. */
 #define BURNISH_AT_REST (-1.0)
 
@@ -183,7 +191,11 @@ typedef struct burnish_load_options {
     const char *variant;   /* the material variant of a glTF file, by name; NULL: the file's own
                               materials. A name that the file lacks fails with ARGUMENT; a file
                               without variants ignores it */
-    uint64_t max_memory;   /* bytes for loading and drawing, 0: no limit. An STL, PLY, OBJ or OFF
+    int plate; /* of a print project (3MF), by number from 1; 0: all of them, moved close
+                              together. A number that the project lacks fails with ARGUMENT; a file
+                              without plates ignores it */
+    burnish_thumbnail thumbnail; /* AUTO, NEVER or ONLY */
+    uint64_t max_memory;      /* bytes for loading and drawing, 0: no limit. An STL, PLY, OBJ or OFF
                             file that needs more becomes a preview, with a warning: of STL one in so
                             many triangles, as a point at its middle with its normal; of the others
                             one in so many vertices, as a point without faces, materials and
@@ -191,8 +203,8 @@ typedef struct burnish_load_options {
                             then, but for packed ones, pipes and memory, which count in full. It
                             fails with MEMORY if 10,000 points need more. An estimate, for pictures
                             of up to 2048 x 2048 pixels; other formats ignore it */
-    uint64_t max_input_bytes;    /* a larger file fails with LIMIT */
-    uint64_t max_triangles;      /* more fail with LIMIT. BURNISH_TRIANGLES_MAX: as many as give 5
+    uint64_t max_input_bytes; /* a larger file fails with LIMIT */
+    uint64_t max_triangles;   /* more fail with LIMIT. BURNISH_TRIANGLES_MAX: as many as give 5
                                        vertices and triangles per byte of the input and its
                                        referenced files */
     uint64_t max_texture_pixels; /* of all textures together; others are skipped with a warning.
@@ -349,6 +361,8 @@ typedef struct burnish_mesh_view {
     const uint32_t *indices;          /* 3 per triangle, counter-clockwise as seen from the front;
                               NULL: no triangles */
     const uint16_t *triangle_materials; /* 1 per triangle; NULL: all have material 0 */
+    const uint16_t *triangle_parts; /* 1 per triangle: a number of burnish_contents.parts; NULL: all
+                              are of part 0, or there are no parts */
     float bounds_min[3], bounds_max[3]; /* of the positions that triangles use; of the spheres of a
                               point cloud without outliers (burnish_mesh_get_bounds) */
     double origin[3]; /* add it to coordinates of the mesh, its cameras and its facts to get
@@ -387,6 +401,7 @@ typedef struct burnish_mesh_info {
                                        NULL: unknown */
     burnish_normals_source normals; /* FILE: those of the input, and generated ones where they are
                                        missing; OWN: all are generated */
+    int is_thumbnail;               /* 1: a picture, no geometry; there are no facts */
     int normals_replaced;           /* 1: OWN, since AUTO rejected those of the input */
 } burnish_mesh_info;
 
@@ -459,6 +474,79 @@ BURNISH_API burnish_status burnish_mesh_set_material(burnish_mesh *mesh, size_t 
 BURNISH_API size_t burnish_mesh_get_texture_count(const burnish_mesh *mesh);
 BURNISH_API const burnish_texture *burnish_mesh_get_texture(const burnish_mesh *mesh, size_t index);
 
+/* ---- Parts ---- */
+
+/* What a part is for. Only solids are drawn. */
+typedef enum burnish_part_role {
+    BURNISH_PART_SOLID,
+    BURNISH_PART_NEGATIVE,  /* to be subtracted from the solids of its object */
+    BURNISH_PART_MODIFIER,  /* changes settings of a slicer inside it */
+    BURNISH_PART_BLOCKER,   /* keeps supports away */
+    BURNISH_PART_ENFORCER,  /* demands supports */
+    BURNISH_PART_SUPPORT,   /* a support, or another aid: an object that is no model */
+    BURNISH_PART_UNPRINTED, /* placed, but not to be printed */
+    BURNISH_PART_ROLE_COUNT
+} burnish_part_role;
+
+/* The name of a role, such as "support blocker"; NULL for a value outside the list. */
+BURNISH_API const char *burnish_part_role_name(burnish_part_role role);
+
+/* Bytes of a name in burnish_contents, with the 0 at its end; longer names are cut. */
+#define BURNISH_NAME_SIZE 64
+
+/* The most parts that are told apart; the last one stands for all further ones. */
+#define BURNISH_PARTS_MAX 65535
+
+/* A part of a mesh: an object of the file, or one of its volumes, at one of its places. */
+typedef struct burnish_part {
+    char name[BURNISH_NAME_SIZE]; /* may be "" */
+    uint32_t id;                  /* of the object in the file */
+    burnish_part_role role;
+    int plate;             /* its number; 0: none */
+    int filament;          /* from 1; 0: none */
+    size_t triangle_count; /* in the file */
+    double transform[12];  /* 3 rows of 4: from the object to the file's coordinates */
+} burnish_part;
+
+/* A plate of a print project. */
+typedef struct burnish_plate {
+    char name[BURNISH_NAME_SIZE]; /* may be "" */
+    int number;                   /* from 1 */
+    double shift[3]; /* added to the file's coordinates, to draw several plates side by side */
+} burnish_plate;
+
+/* A filament of a print project. Filament i colours material i of the mesh. */
+typedef struct burnish_filament {
+    uint8_t srgb[4]; /* with alpha */
+} burnish_filament;
+
+/* What a file consists of. Empty for formats without parts. */
+typedef struct burnish_contents {
+    const burnish_part *parts;
+    size_t part_count;
+    const burnish_plate *plates;
+    size_t plate_count;
+    const burnish_filament *filaments;
+    size_t filament_count;
+} burnish_contents;
+
+/* The contents of a mesh, valid as long as the mesh; NULL for NULL. */
+BURNISH_API const burnish_contents *burnish_mesh_get_contents(const burnish_mesh *mesh);
+
+/* The negative volumes of a mesh, which are no part of it: a mesh whose triangle_parts are numbers of
+ * the first mesh's parts, in the same coordinates. Cuts of the first mesh do not change it. NULL:
+ * there are none. */
+BURNISH_API const burnish_mesh *burnish_mesh_get_negatives(const burnish_mesh *mesh);
+
+/* A box; low is above high if it is empty. */
+typedef struct burnish_box {
+    float low[3], high[3];
+} burnish_box;
+
+/* The bounds of each part's triangles in coordinates of the mesh.
+ *   boxes  receives one per part */
+BURNISH_API void burnish_mesh_bound_parts(const burnish_mesh *mesh, burnish_box *boxes);
+
 /* ---- Cuts ---- */
 
 /* Cuts away the part of a mesh beyond a plane. Triangles across the plane are split without gaps;
@@ -491,10 +579,16 @@ BURNISH_API void burnish_color_map_get(burnish_color_map map, double value, uint
 
 /* What a mesh is coloured by. */
 typedef enum burnish_color_source {
-    BURNISH_COLOR_BY_HEIGHT,  /* along the up axis, in coordinates of the file */
-    BURNISH_COLOR_BY_NORMAL,  /* red, green and blue are (1 + x, y, z of the normal) / 2 */
-    BURNISH_COLOR_BY_PROPERTY /* burnish_load_options.scalar_property */
+    BURNISH_COLOR_BY_HEIGHT,   /* along the up axis, in coordinates of the file */
+    BURNISH_COLOR_BY_NORMAL,   /* red, green and blue are (1 + x, y, z of the normal) / 2 */
+    BURNISH_COLOR_BY_PROPERTY, /* burnish_load_options.scalar_property */
+    BURNISH_COLOR_BY_PART,     /* burnish_part_color() of burnish_mesh_view.triangle_parts */
+    BURNISH_COLOR_BY_FILAMENT  /* burnish_contents.filaments; grey elsewhere */
 } burnish_color_source;
+
+/* The colour of a part, or of a filament that has none: eight colours in turn that most of the
+ * colour-blind can tell apart (M. Okabe, K. Ito, "Color Universal Design", 2008). */
+BURNISH_API void burnish_part_color(size_t number, uint8_t srgb[3]);
 
 /* Start from burnish_coloring_default(). */
 typedef struct burnish_coloring {
@@ -516,10 +610,10 @@ static inline burnish_coloring burnish_coloring_default(void) {
 
 /* Colours a mesh by values of its vertices. Values are interpolated over triangles, then mapped: a
  * mesh gets a texture of the map, and all its materials and textures are replaced. Points and
- * normals become vertex colours. No other thread may use the mesh during the call.
+ * normals become vertex colours, parts and filaments materials. No other thread may use the mesh during the call.
  *   coloring  from burnish_coloring_default()
  *   range     receives the range that is used; may be NULL
- * Errors: ARGUMENT (a mesh without the property, a value out of range), MEMORY. */
+ * Errors: ARGUMENT (a mesh without the property, parts or filaments, a value out of range), MEMORY. */
 BURNISH_API burnish_status burnish_mesh_color_by(burnish_mesh *mesh,
                                                  const burnish_coloring *coloring, double range[2],
                                                  burnish_error *error);

@@ -22,6 +22,11 @@ const char cli_input_format_manual[] =
                 "installed (docs/importers.md), also the extensions that it reads, without the "
                 "dot:" CLI_OCCT_LIST(FOREIGN_MANUAL) CLI_ASSIMP_LIST(FOREIGN_MANUAL) ".";
 
+const cli_word cli_thumbnails[] = {{"auto", BURNISH_THUMBNAIL_AUTO},
+                                   {"never", BURNISH_THUMBNAIL_NEVER},
+                                   {"only", BURNISH_THUMBNAIL_ONLY},
+                                   {NULL, 0}};
+
 #define LISTED(name, word, ...) ", " #word
 #define FOREIGN_NAME(word) #word,
 static const char *const foreign[] = {CLI_OCCT_LIST(FOREIGN_NAME) CLI_ASSIMP_LIST(FOREIGN_NAME)};
@@ -108,6 +113,19 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
                           "only points and lines have a size, and INPUT has faces; omit the flag"};
     needs[3] = (cli_need){"variant", burnish_mesh_get_variant_count(mesh) > 0,
                           "INPUT has no variants; omit the flag"};
+    needs[4] = (cli_need){"plate", mesh && burnish_mesh_get_contents(mesh)->plate_count > 0,
+                          "INPUT has no plates; omit the flag"};
+    needs[5] = (cli_need){"thumbnail", info && info->format == BURNISH_FORMAT_3MF,
+                          "only 3MF files hold pictures of themselves; omit the flag"};
+}
+
+burnish_status cli_flag_plate(const cli_flag *flag, const char *text, void *target,
+                              burnish_error *error) {
+    if (strcmp(text, "all") != 0) {
+        return cli_flag_integer(flag, text, target, error);
+    }
+    *(int *)target = 0;
+    return BURNISH_STATUS_OK;
 }
 
 burnish_load_options cli_load_options(const cli_input *input) {
@@ -120,6 +138,8 @@ burnish_load_options cli_load_options(const cli_input *input) {
     }
     options.animation = input->animation;
     options.variant = input->variant;
+    options.plate = input->plate;
+    options.thumbnail = (burnish_thumbnail)input->thumbnail;
     options.ignore_referenced_files = input->no_libraries;
     options.point_size = input->point_size.given ? input->point_size.value : 0;
     options.max_memory = input->max_memory;

@@ -38,6 +38,8 @@ typedef struct cli_input {
     int tessellation, strict, no_textures, no_libraries;
     cli_real animation_time;
     const char *animation, *variant;
+    int plate;     /* 0: all */
+    int thumbnail; /* burnish_thumbnail */
     cli_real point_size;
     uint64_t max_triangles, max_input_bytes, max_texture_pixels;
     uint64_t max_memory; /* of loading and drawing: 0: no limit */
@@ -68,11 +70,13 @@ burnish_file_loader cli_companion_loader(cli_companions *companions);
 /* Tables for the flags' rows. */
 extern const cli_word cli_input_formats[];
 extern const char cli_input_format_manual[];
+extern const cli_word cli_thumbnails[];
 cli_handler cli_flag_input_format;
+cli_handler cli_flag_plate;          /* int in [low, high], or "all" */
 cli_handler cli_flag_texture_pixels; /* uint64_t in [low, high], or "auto" */
 
 /* What the flags below need of the input; without a mesh, as if nothing were met. */
-enum { CLI_INPUT_NEEDS = 4 };
+enum { CLI_INPUT_NEEDS = 6 };
 void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEEDS]);
 
 /* The rows; `type` has the cli_input `member`. */
@@ -115,6 +119,22 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
     .manual = "Draws the variant _NAME_ of a glTF file, such as another colour of a product "      \
               "(KHR_materials_variants). *burnish info* lists the names.",                         \
     .handler = cli_flag_text, .offset = offsetof(type, member.variant)
+
+#define CLI_PLATE_FLAG(type, member)                                                               \
+    .phases = CLI_PHASE_LOAD, .value_type = CLI_TYPE_INTEGER, .name = "plate", .value = "N",       \
+    .help = "a plate of a print project", .default_text = "all", .low = 1, .high = 256,            \
+    .manual =                                                                                      \
+        "Draws only plate _N_ of a slicer's project (3MF). By default all plates are drawn, "      \
+        "moved close together. *burnish info* lists them.",                                        \
+    .handler = cli_flag_plate, .offset = offsetof(type, member.plate)
+
+#define CLI_THUMBNAIL_FLAG(type, member)                                                           \
+    .phases = CLI_PHASE_LOAD, .name = "thumbnail", .value = "WHEN",                                \
+    .help = "draw the picture in a 3MF", .default_text = "auto", .words = cli_thumbnails,          \
+    .manual = "*auto* draws the picture that a 3MF file holds of itself, with a warning, if the "  \
+              "file is sliced and has no mesh, or is encrypted. *never* refuses such files; "      \
+              "*only* draws nothing but the picture.",                                             \
+    .handler = cli_flag_word, .offset = offsetof(type, member.thumbnail)
 
 #define CLI_POINT_SIZE_FLAG(type, member)                                                          \
     .phases = CLI_PHASE_LOAD, .name = "point-size", .value = "SIZE",                               \

@@ -40,6 +40,122 @@ static cJSON *warning_at(const void *mesh, size_t i) {
     return cli_json_text(burnish_mesh_get_warning(mesh, i));
 }
 
+/* ---- Contents ---- */
+
+/* The box of the parts that are drawn, of one plate or, for number 0, of part `only`. */
+static int bound_contents(const info_report *r, int plate, size_t only, burnish_box *box) {
+    const burnish_contents *c = burnish_mesh_get_contents(r->mesh);
+    int is_first = 1;
+    for (size_t i = 0; i < c->part_count; ++i) {
+        const burnish_box *part = &r->boxes[i];
+        if (part->low[0] > part->high[0] || (plate ? c->parts[i].plate != plate : i != only)) {
+            continue;
+        }
+        for (int k = 0; k < 3; ++k) {
+            box->low[k] = is_first || part->low[k] < box->low[k] ? part->low[k] : box->low[k];
+            box->high[k] = is_first || part->high[k] > box->high[k] ? part->high[k] : box->high[k];
+        }
+        is_first = 0;
+    }
+    return !is_first;
+}
+
+static cJSON *size_or_null(const info_report *r, int plate, size_t only) {
+    burnish_box box;
+    if (!bound_contents(r, plate, only, &box)) {
+        return cJSON_CreateNull();
+    }
+    const float size[3] = {box.high[0] - box.low[0], box.high[1] - box.low[1],
+                           box.high[2] - box.low[2]};
+    return cli_json_floats(3, size);
+}
+
+static cJSON *number_or_null(int number) {
+    return number > 0 ? cli_json_count((size_t)number) : cJSON_CreateNull();
+}
+
+static cJSON *part_at(const void *from, size_t i) {
+    const info_report *r = from;
+    const burnish_part *part = &burnish_mesh_get_contents(r->mesh)->parts[i];
+    int failed = 0;
+    cJSON *row = cJSON_CreateObject();
+    cli_json_add(row, "name", cli_json_text(part->name), &failed);
+    cli_json_add(row, "role", cJSON_CreateString(burnish_part_role_name(part->role)), &failed);
+    cli_json_add(row, "id", cli_json_count(part->id), &failed);
+    cli_json_add(row, "plate", number_or_null(part->plate), &failed);
+    cli_json_add(row, "filament", number_or_null(part->filament), &failed);
+    cli_json_add(row, "triangles", cli_json_count(part->triangle_count), &failed);
+    cli_json_add(row, "size", size_or_null(r, 0, i), &failed);
+    return row;
+}
+
+static cJSON *plate_at(const void *from, size_t i) {
+    const info_report *r = from;
+    const burnish_plate *plate = &burnish_mesh_get_contents(r->mesh)->plates[i];
+    int failed = 0;
+    cJSON *row = cJSON_CreateObject();
+    cli_json_add(row, "number", cli_json_count((size_t)plate->number), &failed);
+    cli_json_add(row, "name", cli_json_text(plate->name), &failed);
+    cli_json_add(row, "size", size_or_null(r, plate->number, 0), &failed);
+    return row;
+}
+
+static cJSON *filament_at(const void *from, size_t i) {
+    const info_report *r = from;
+    const uint8_t *c = burnish_mesh_get_contents(r->mesh)->filaments[i].srgb;
+    char text[16];
+    snprintf(text, sizeof text, "#%02X%02X%02X", c[0], c[1], c[2]);
+    return cJSON_CreateString(text);
+}
+
+static void add_contents(cJSON *root, const info_report *r, int *failed) {
+    const burnish_contents *c = burnish_mesh_get_contents(r->mesh);
+    cli_json_add(root, "parts", cli_json_array(c->part_count, part_at, r), failed);
+    cli_json_add(root, "plates", cli_json_array(c->plate_count, plate_at, r), failed);
+    cli_json_add(root, "filaments", cli_json_array(c->filament_count, filament_at, r), failed);
+}
+
+static void print_size(FILE *stream, const info_report *r, int plate, size_t only) {
+    burnish_box box;
+    if (bound_contents(r, plate, only, &box)) {
+        fprintf(stream, ", %.6g x %.6g x %.6g", (double)(box.high[0] - box.low[0]),
+                (double)(box.high[1] - box.low[1]), (double)(box.high[2] - box.low[2]));
+    }
+}
+
+static void print_contents(FILE *stream, const info_report *r) {
+    enum { SHOWN = 40 };
+    const burnish_contents *c = burnish_mesh_get_contents(r->mesh);
+    for (size_t i = 0; i < c->filament_count; ++i) {
+        const uint8_t *srgb = c->filaments[i].srgb;
+        fprintf(stream, "  filament %-11zu  #%02X%02X%02X\n", i + 1, srgb[0], srgb[1], srgb[2]);
+    }
+    for (size_t i = 0; i < c->plate_count; ++i) {
+        fprintf(stream, "  plate %-14d  \"", c->plates[i].number);
+        cli_print_clean(stream, c->plates[i].name, 0);
+        fputs("\"", stream);
+        print_size(stream, r, c->plates[i].number, 0);
+        fputc('\n', stream);
+    }
+    for (size_t i = 0; i < c->part_count && i < SHOWN; ++i) {
+        const burnish_part *part = &c->parts[i];
+        fprintf(stream, "  part %-15zu  \"", i + 1);
+        cli_print_clean(stream, part->name, 0);
+        fprintf(stream, "\", %s", burnish_part_role_name(part->role));
+        if (part->filament > 0) {
+            fprintf(stream, ", filament %d", part->filament);
+        }
+        if (part->plate > 0) {
+            fprintf(stream, ", plate %d", part->plate);
+        }
+        print_size(stream, r, 0, i);
+        fputc('\n', stream);
+    }
+    if (c->part_count > SHOWN) {
+        fprintf(stream, "  %zu more parts: see --json\n", c->part_count - SHOWN);
+    }
+}
+
 static void add_sizes(cJSON *root, const info_report *r, int *failed) {
     const burnish_mesh_facts *f = r->facts;
     cJSON *box = cJSON_CreateObject();
@@ -130,12 +246,14 @@ cJSON *info_make_json(const info_report *r, int *failed) {
                  r->facts ? cli_json_count(r->facts->vertex_count) : cJSON_CreateNull(), failed);
     cli_json_add(root, "points", cli_json_count(info->point_count), failed);
     cli_json_add(root, "lines", cli_json_count(info->line_count), failed);
+    cli_json_add(root, "thumbnail", cJSON_CreateBool(info->is_thumbnail), failed);
     cli_json_add(root, "materials", cli_json_count(burnish_mesh_get_material_count(r->mesh)),
                  failed);
     cli_json_add(root, "transmissive", cli_json_count(count_transmissive(r->mesh)), failed);
     cli_json_add(root, "variants",
                  cli_json_array(burnish_mesh_get_variant_count(r->mesh), variant_at, r->mesh),
                  failed);
+    add_contents(root, r, failed);
     cli_json_add(root, "normals",
                  r->facts ? cJSON_CreateString(normals_name(info)) : cJSON_CreateNull(), failed);
     add_sizes(root, r, failed);
@@ -316,6 +434,10 @@ void info_print_text(FILE *stream, const info_report *r) {
                                                 : info->point_count;
     char extension[IMPORT_EXTENSION_SIZE];
     cli_print_clean(stream, r->input, 0);
+    if (info->is_thumbnail) {
+        fprintf(stream, " (%s): a picture, no geometry\n", format_name(r, extension));
+        return;
+    }
     fprintf(stream, " (%s): %zu %s%s, ", format_name(r, extension), count,
             r->facts               ? "triangle"
             : info->line_count > 0 ? "line"
@@ -326,6 +448,7 @@ void info_print_text(FILE *stream, const info_report *r) {
     }
     fprintf(stream, "%zu material%s\n\n", materials, materials == 1 ? "" : "s");
     print_variants(stream, r->mesh);
+    print_contents(stream, r);
     print_box(stream, r);
     if (r->facts) {
         print_surface(stream, r);

@@ -40,6 +40,8 @@ static const cli_flag flags[] = {
     {CLI_ANIMATION_TIME_FLAG(info_settings, load)},
     {CLI_ANIMATION_FLAG(info_settings, load)},
     {CLI_VARIANT_FLAG(info_settings, load)},
+    {CLI_PLATE_FLAG(info_settings, load)},
+    {CLI_THUMBNAIL_FLAG(info_settings, load)},
     {CLI_STRICT_FLAG(info_settings, load)},
     {CLI_NO_LIBRARIES_FLAG(info_settings, load)},
     {CLI_MAX_TRIANGLES_FLAG(info_settings, load)},
@@ -69,6 +71,12 @@ static const cli_term json_terms[] = {
     {"*materials*", "after loading: at least 1"},
     {"*transmissive*", "materials through which light passes (glTF)"},
     {"*variants*", "names for *--variant* (glTF)"},
+    {"*thumbnail*", "true if there is only a picture, no geometry; *triangles* is then 0"},
+    {"*parts*", "of 3MF: name, role (solid, negative volume, modifier, support blocker, support "
+                "enforcer, support, not printed), id of the object, plate, filament, number of "
+                "triangles, size. Only solids are drawn and measured; volumes do not have negative "
+                "volumes subtracted"},
+    {"*plates, filaments*", "of a slicer's project: number, name and size; colours"},
     {"*unit*", "of lengths, from 3MF or glTF: micron, millimeter, centimeter, inch, foot or meter; "
                "null if unknown"},
     {"*bounding_box*", "*min*, *max* and *size* of the triangles with area, or of the positions of "
@@ -190,13 +198,22 @@ static burnish_status print_facts(survey *s, const char *input, const burnish_me
     for (int axis = 0; axis < 3; ++axis) {
         r.size[axis] = r.high[axis] - r.low[axis];
     }
+    const size_t parts = burnish_mesh_get_contents(mesh)->part_count;
+    burnish_status status = BURNISH_STATUS_OK;
+    r.boxes = parts > 0 ? malloc(parts * sizeof *r.boxes) : NULL;
+    if (parts > 0 && !r.boxes) {
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the parts");
+    }
+    burnish_mesh_bound_parts(mesh, r.boxes);
     if (s->settings->json || s->settings->csv) {
         cJSON *root = info_make_json(&r, &failed);
-        return print_object(s, root, failed, error);
+        status = print_object(s, root, failed, error);
+    } else {
+        fputs(s->done > 0 ? "\n" : "", s->output.stream);
+        info_print_text(s->output.stream, &r);
     }
-    fputs(s->done > 0 ? "\n" : "", s->output.stream);
-    info_print_text(s->output.stream, &r);
-    return BURNISH_STATUS_OK;
+    free(r.boxes);
+    return status;
 }
 
 /* Reports an input that can not be read, and goes on. */

@@ -514,13 +514,14 @@ static const cli_flag flags[] = {
                "be repeated up to 6 times. Cuts through a solid, a closed mesh with consistent "
                "winding, are filled and hatched; cuts through other meshes and transparent "
                "surfaces are not. The camera frames the rest."},
-    {LOAD_FLAG("color-by", "VALUE", "height, normal or a property of PLY or glTF", cli_flag_text,
+    {LOAD_FLAG("color-by", "VALUE", "height, normal, part, filament or a property", cli_flag_text,
                input.coloring.by),
      .not_for = HEIR_COMPARE | HEIR_VIEW, .svg = CLI_SVG_REFUSED,
      .manual =
          "Colours the object by values of its vertices instead of its own colours: *height* along "
          "the up axis, *normal* (red, green and blue are the directions X, Y and Z), or a scalar "
-         "property of the vertices of a PLY or glTF file, such as *intensity* or *_HEAT*. Values "
+         "property of the vertices of a PLY or glTF file, such as *intensity* or *_HEAT*; or the "
+         "*part* or *filament* of a print project (3MF). Values "
          "are interpolated over triangles and then mapped. A legend shows the range; framing "
          "leaves room for it. Not for *--look=drawing*, which has no colours."},
     {LOAD_FLAG("color-map", "NAME", "map of --color-by", cli_flag_word, input.coloring.map),
@@ -555,6 +556,8 @@ static const cli_flag flags[] = {
     {CLI_ANIMATION_TIME_FLAG(render_settings, input.load)},
     {CLI_ANIMATION_FLAG(render_settings, input.load)},
     {CLI_VARIANT_FLAG(render_settings, input.load)},
+    {CLI_PLATE_FLAG(render_settings, input.load)},
+    {CLI_THUMBNAIL_FLAG(render_settings, input.load)},
     {CLI_POINT_SIZE_FLAG(render_settings, input.load)},
     {CLI_STRICT_FLAG(render_settings, input.load)},
     {CLI_NO_TEXTURES_FLAG(render_settings, input.load)},

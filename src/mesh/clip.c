@@ -17,7 +17,7 @@ typedef struct cutter {
     uint32_t *numbers; /* of the vertices that are kept, then of where they go */
     void *attributes[BURNISH_ATTRIBUTE_COUNT];
     uint32_t *indices;
-    uint16_t *triangle_materials;
+    uint16_t *triangle_materials, *triangle_parts;
     size_t vertex_count, triangle_count;
     int cuts_something; /* 1: a corner is beyond the plane */
 } cutter;
@@ -145,6 +145,16 @@ static int same_position(const cutter *cut, uint32_t a, uint32_t b) {
     return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
 }
 
+/* The material and part of triangle `at`, which is one of `source` or a piece of it. */
+static void copy_marks(cutter *cut, size_t at, size_t source) {
+    if (cut->triangle_materials) {
+        cut->triangle_materials[at] = cut->mesh->view.triangle_materials[source];
+    }
+    if (cut->triangle_parts) {
+        cut->triangle_parts[at] = cut->mesh->view.triangle_parts[source];
+    }
+}
+
 /* Part of triangle `source`, unless two corners coincide because a corner is in the plane. */
 static void add_triangle(cutter *cut, size_t source, uint32_t a, uint32_t b, uint32_t c) {
     if (same_position(cut, a, b) || same_position(cut, b, c) || same_position(cut, c, a)) {
@@ -154,9 +164,7 @@ static void add_triangle(cutter *cut, size_t source, uint32_t a, uint32_t b, uin
     cut->indices[3 * at] = a;
     cut->indices[3 * at + 1] = b;
     cut->indices[3 * at + 2] = c;
-    if (cut->triangle_materials) {
-        cut->triangle_materials[at] = cut->mesh->view.triangle_materials[source];
-    }
+    copy_marks(cut, at, source);
 }
 
 static void cut_triangle(cutter *cut, size_t source, unsigned kept) {
@@ -186,9 +194,7 @@ static void cut_triangles(cutter *cut) {
             for (size_t k = 0; k < 3; ++k) {
                 cut->indices[3 * at + k] = cut->numbers[v[k]];
             }
-            if (cut->triangle_materials) {
-                cut->triangle_materials[at] = view->triangle_materials[i];
-            }
+            copy_marks(cut, at, i);
         } else if (kept) {
             cut_triangle(cut, i, kept);
         }
@@ -251,6 +257,7 @@ static void release_result(cutter *cut) {
     }
     burnish_release(context, cut->indices);
     burnish_release(context, cut->triangle_materials);
+    burnish_release(context, cut->triangle_parts);
     burnish_release(context, cut->numbers);
 }
 
@@ -273,6 +280,10 @@ static burnish_status reserve_result(cutter *cut, size_t triangles, size_t verti
         cut->triangle_materials =
             burnish_allocate(memory, triangles, sizeof *cut->triangle_materials, "materials");
     }
+    if (cut->mesh->triangle_parts) {
+        cut->triangle_parts =
+            burnish_allocate(memory, triangles, sizeof *cut->triangle_parts, "parts");
+    }
     return memory->status;
 }
 
@@ -285,11 +296,13 @@ static void exchange_result(burnish_mesh *mesh, cutter *cut) {
         cut->attributes[a] = old;
     }
     uint32_t *indices = mesh->indices;
-    uint16_t *materials = mesh->triangle_materials;
+    uint16_t *materials = mesh->triangle_materials, *parts = mesh->triangle_parts;
     mesh->indices = cut->indices;
     mesh->triangle_materials = cut->triangle_materials;
+    mesh->triangle_parts = cut->triangle_parts;
     cut->indices = indices;
     cut->triangle_materials = materials;
+    cut->triangle_parts = parts;
     view->vertex_count = cut->vertex_count;
     view->triangle_count = cut->triangle_count;
     burnish_mesh_update_view(mesh);

@@ -3,6 +3,7 @@
 
 #include "base/layout.h"
 #include "base/numbers.h"
+#include "core/srgb.h"
 #include "core/vec3.h"
 #include "mesh/data/material.h"
 #include "mesh/data/mesh.h"
@@ -172,6 +173,52 @@ static void replace_materials(burnish_mesh *mesh, int has_texture) {
     mesh->attributes[BURNISH_TANGENT] = mesh->attributes[BURNISH_TEXCOORD2] = NULL;
 }
 
+/* ---- Parts ---- */
+
+void burnish_part_color(size_t number, uint8_t srgb[3]) {
+    static const uint8_t colors[8][3] = {{230, 159, 0},   {86, 180, 233}, {0, 158, 115},
+                                         {240, 228, 66},  {0, 114, 178},  {213, 94, 0},
+                                         {204, 121, 167}, {120, 120, 120}};
+    memcpy(srgb, colors[number % 8], 3);
+}
+
+/* A material per part or filament, and a grey one. */
+static burnish_status paint_parts(burnish_mesh *mesh, int by_part, burnish_memory *memory) {
+    const burnish_contents *c = &mesh->contents;
+    const size_t count = by_part ? c->part_count : c->filament_count;
+    const size_t triangles = mesh->view.triangle_count;
+    const uint16_t *from = by_part ? mesh->triangle_parts : mesh->triangle_materials;
+    burnish_material *materials =
+        burnish_allocate(memory, count + 1, sizeof *materials, "materials");
+    uint16_t *numbers = burnish_allocate(memory, triangles, sizeof *numbers, "materials");
+    if (memory->status != BURNISH_STATUS_OK) {
+        burnish_release(mesh->context, materials);
+        burnish_release(mesh->context, numbers);
+        return memory->status;
+    }
+    for (size_t i = 0; i <= count; ++i) {
+        uint8_t srgb[3];
+        burnish_part_color(i, srgb);
+        materials[i] = burnish_material_default();
+        materials[i].has_diffuse = i < count;
+        for (int k = 0; k < 3 && i < count; ++k) {
+            materials[i].ambient[k] = materials[i].diffuse[k] =
+                burnish_srgb_to_linear[by_part ? srgb[k] : c->filaments[i].srgb[k]];
+        }
+    }
+    for (size_t i = 0; i < triangles; ++i) {
+        numbers[i] = (uint16_t)(!from ? 0 : from[i] < count ? from[i] : count);
+    }
+    burnish_release(mesh->context, mesh->attributes[BURNISH_COLOR]);
+    mesh->attributes[BURNISH_COLOR] = NULL;
+    replace_materials(mesh, 0);
+    burnish_release(mesh->context, mesh->materials);
+    mesh->materials = materials;
+    mesh->material_count = count + 1;
+    mesh->triangle_materials = numbers;
+    return BURNISH_STATUS_OK;
+}
+
 static burnish_status check_coloring(const burnish_mesh *mesh, const burnish_coloring *coloring,
                                      burnish_error *error) {
     const double *range = coloring ? coloring->range : NULL;
@@ -180,7 +227,7 @@ static burnish_status check_coloring(const burnish_mesh *mesh, const burnish_col
                             mesh ? "coloring" : "mesh");
     }
     burnish_status status = burnish_layout_check(coloring, COOKIE, "colours", "coloring", error);
-    if (status == BURNISH_STATUS_OK && (coloring->source > BURNISH_COLOR_BY_PROPERTY ||
+    if (status == BURNISH_STATUS_OK && (coloring->source > BURNISH_COLOR_BY_FILAMENT ||
                                         coloring->map >= BURNISH_COLOR_MAP_COUNT)) {
         status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                               "colours: source %d or map %d does not exist", (int)coloring->source,
@@ -196,6 +243,13 @@ static burnish_status check_coloring(const burnish_mesh *mesh, const burnish_col
         status = burnish_fail(
             error, BURNISH_STATUS_ARGUMENT,
             "colours: the mesh has no scalar property; only PLY and glTF files have them");
+    }
+    if (status == BURNISH_STATUS_OK &&
+        ((coloring->source == BURNISH_COLOR_BY_PART && mesh->contents.part_count == 0) ||
+         (coloring->source == BURNISH_COLOR_BY_FILAMENT && mesh->contents.filament_count == 0))) {
+        status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                              "colours: the mesh has no %s; only 3MF files have them",
+                              coloring->source == BURNISH_COLOR_BY_PART ? "parts" : "filaments");
     }
     return status;
 }
@@ -216,6 +270,11 @@ burnish_status burnish_mesh_color_by(burnish_mesh *mesh, const burnish_coloring 
     p.base = burnish_vec3_dot(p.up, burnish_vec3_load(mesh->view.origin));
     const int paints_vertices =
         mesh->view.point_radius > 0 || coloring->source == BURNISH_COLOR_BY_NORMAL;
+    if (coloring->source >= BURNISH_COLOR_BY_PART) {
+        status = paint_parts(mesh, coloring->source == BURNISH_COLOR_BY_PART, &memory);
+        burnish_mesh_update_view(mesh);
+        return status;
+    }
     if (coloring->source != BURNISH_COLOR_BY_NORMAL) {
         find_range(&p);
     }

@@ -127,7 +127,7 @@ static void place_file(int descriptor, const uint8_t *bytes, size_t size) {
     close(file);
 }
 
-/* An archive of a model and the part "b". */
+/* An archive of a model and another part. */
 static burnish_status load_model(const uint8_t *bytes, size_t size,
                                  const burnish_load_options *options, burnish_mesh **scene,
                                  burnish_error *error) {
@@ -136,7 +136,8 @@ static burnish_status load_model(const uint8_t *bytes, size_t size,
     const size_t first = end ? (size_t)(end - bytes) : size, second = end ? size - first - 1 : 0;
     zip.size = zip.directory_size = zip.count = 0;
     put_part(&zip, "3D/3dmodel.model", bytes, first, 0);
-    put_part(&zip, "b", bytes + size - second, second, 0);
+    put_part(&zip, second_part_name(bytes + size - second, second), bytes + size - second, second,
+             0);
     end_zip(&zip, 0);
     return burnish_mesh_load_memory(zip.bytes, zip.size, "fuzz", options, scene, error);
 }

@@ -131,6 +131,15 @@ static inline zip_list *begin_3mf(const char *model) {
     return &zip;
 }
 
+/* The name of a second part, by what it is: settings of slicers, or anything else. */
+static inline const char *second_part_name(const void *bytes, size_t size) {
+    const char first = size > 0 ? *(const char *)bytes : 0;
+    return first == '{'                                   ? "Metadata/project_settings.config"
+           : first == ';'                                 ? "Metadata/Slic3r_PE.config"
+           : size > 7 && memcmp(bytes, "<config", 7) == 0 ? "Metadata/model_settings.config"
+                                                          : "b";
+}
+
 static inline burnish_status run_3mf(zip_list *zip) {
     end_zip(zip, 0);
     return read_bytes(BURNISH_FORMAT_3MF, zip->bytes, zip->size);

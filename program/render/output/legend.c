@@ -43,6 +43,30 @@ static float label_room(const double range[2], float text) {
     return text / 2 + 2 + most;
 }
 
+/* Names of what is drawn, each beside its colour. */
+static void draw_names(const render_result *result, burnish_image *image, float text,
+                       const uint8_t ink[3]) {
+    const burnish_contents *c = burnish_mesh_get_contents(result->mesh);
+    const int by_part = strcmp(result->settings->input.coloring.by, "part") == 0;
+    const int smaller = image->width < image->height ? image->width : image->height;
+    const int size = (int)text, left = image->width - (int)(RENDER_LEGEND_INSET * smaller);
+    int top = image->height / 8;
+    for (size_t i = 0; i < (by_part ? c->part_count : c->filament_count); ++i) {
+        char label[BURNISH_NAME_SIZE];
+        uint8_t srgb[3];
+        const int box[4] = {left, top, left + size, top + size};
+        if ((by_part && c->parts[i].role != BURNISH_PART_SOLID) || box[3] > image->height) {
+            continue;
+        }
+        burnish_part_color(i, srgb);
+        fill_box(image, box, by_part ? srgb : c->filaments[i].srgb);
+        snprintf(label, sizeof label, "%zu %.40s", i + 1, by_part ? c->parts[i].name : "");
+        burnish_image_draw_text(image, (float)(left + size + size / 2), (float)(top + size), text,
+                                ink, label);
+        top += size + size / 2;
+    }
+}
+
 /* What the values are, and their unit. */
 static void write_title(const render_result *result, char title[64]) {
     const char *unit = burnish_mesh_get_info(result->mesh)->unit;
@@ -63,6 +87,10 @@ void render_draw_legend(const render_result *result, burnish_image *image) {
     const double *range = result->color_range;
     char title[64], label[32];
     if (!render_has_legend(coloring) || smaller < 100) {
+        return;
+    }
+    if (render_colors_by_part(coloring)) {
+        draw_names(result, image, text, ink);
         return;
     }
     const int width = (int)text, inset = (int)(RENDER_LEGEND_INSET * smaller);

@@ -10,7 +10,12 @@ static int is_word(const render_coloring *coloring, const char *word) {
 }
 
 int render_colors_by_property(const render_coloring *coloring) {
-    return coloring->by && !is_word(coloring, "height") && !is_word(coloring, "normal");
+    return coloring->by && !is_word(coloring, "height") && !is_word(coloring, "normal") &&
+           !render_colors_by_part(coloring);
+}
+
+int render_colors_by_part(const render_coloring *coloring) {
+    return is_word(coloring, "part") || is_word(coloring, "filament");
 }
 
 burnish_status render_color(const render_settings *settings, burnish_mesh *mesh, double range[2],
@@ -24,17 +29,19 @@ burnish_status render_color(const render_settings *settings, burnish_mesh *mesh,
     if (render_colors_by_property(wanted) && format != BURNISH_FORMAT_PLY &&
         format != BURNISH_FORMAT_GLTF) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--color-by: \"%.60s\" is neither height nor normal, and only PLY and glTF "
-                        "files have other properties",
+                        "--color-by: \"%.60s\" is none of height, normal, part and filament, and "
+                        "only PLY and glTF files have other properties",
                         wanted->by);
     }
     const burnish_annotate_options stance = render_make_annotations(mesh, settings);
     memcpy(coloring.up, stance.up, sizeof coloring.up);
     memcpy(coloring.range, wanted->range, sizeof coloring.range);
     coloring.map = (burnish_color_map)wanted->map;
-    coloring.source = is_word(wanted, "height")   ? BURNISH_COLOR_BY_HEIGHT
-                      : is_word(wanted, "normal") ? BURNISH_COLOR_BY_NORMAL
-                                                  : BURNISH_COLOR_BY_PROPERTY;
+    coloring.source = is_word(wanted, "height")     ? BURNISH_COLOR_BY_HEIGHT
+                      : is_word(wanted, "normal")   ? BURNISH_COLOR_BY_NORMAL
+                      : is_word(wanted, "part")     ? BURNISH_COLOR_BY_PART
+                      : is_word(wanted, "filament") ? BURNISH_COLOR_BY_FILAMENT
+                                                    : BURNISH_COLOR_BY_PROPERTY;
     return burnish_mesh_color_by(mesh, &coloring, range, error);
 }
 

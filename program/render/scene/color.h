@@ -10,6 +10,9 @@
 /* 1: by a property of the input, which the reader must keep. */
 int render_colors_by_property(const render_coloring *coloring);
 
+/* 1: by part or filament, whose legend has names. */
+int render_colors_by_part(const render_coloring *coloring);
+
 /* Colours the mesh, if asked for; range receives its values. Errors: ARGUMENT, MEMORY. */
 burnish_status render_color(const render_settings *settings, burnish_mesh *mesh, double range[2],
                             burnish_error *error);

@@ -49,6 +49,18 @@ static burnish_status take_materials(burnish_builder *b) {
     return BURNISH_STATUS_OK;
 }
 
+static void take_contents(burnish_builder *b) {
+    burnish_mesh_data *data = b->data;
+    b->mesh->contents =
+        (burnish_contents){data->parts,       data->part_count, data->plates,
+                           data->plate_count, data->filaments,  data->filament_count};
+    b->mesh->triangle_parts = data->triangle_parts;
+    data->parts = NULL;
+    data->plates = NULL;
+    data->filaments = NULL;
+    data->triangle_parts = NULL;
+}
+
 static void take_texts(burnish_builder *b) {
     b->mesh->variants = b->data->variants;
     b->mesh->variant_count = b->data->variant_count;
@@ -72,6 +84,7 @@ static void describe_mesh(burnish_builder *b) {
     memcpy(b->mesh->points_min, b->data->points_min, sizeof b->mesh->points_min);
     memcpy(b->mesh->points_max, b->data->points_max, sizeof b->mesh->points_max);
     b->mesh->info.unit = b->data->unit;
+    b->mesh->info.is_thumbnail = b->data->is_thumbnail;
     b->mesh->info.normals = b->has_file_normals ? BURNISH_NORMALS_FILE : BURNISH_NORMALS_OWN;
     b->mesh->info.normals_replaced = b->normals_replaced;
     burnish_mesh_update_view(b->mesh);
@@ -203,8 +216,18 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
     b.mesh->view.vertex_count = b.vertex_count;
     b.mesh->view.triangle_count = b.triangle_count;
     note_strays(&b);
+    take_contents(&b);
     describe_mesh(&b);
     take_texts(&b);
+    if (data->negatives) { /* without area they subtract nothing */
+        burnish_error none;
+        data->negatives->memory.error = &none;
+        status = burnish_mesh_build(data->negatives, name, options, format, &b.mesh->negatives);
+        if (status != BURNISH_STATUS_OK && status != BURNISH_STATUS_FORMAT) {
+            burnish_mesh_destroy(b.mesh);
+            return burnish_fail(data->memory.error, status, "%s", none.text);
+        }
+    }
     b.mesh->info.read_seconds = start - data->start;
     b.mesh->info.build_seconds = burnish_seconds_now() - start;
     *mesh = b.mesh;

@@ -251,6 +251,8 @@ burnish_status burnish_build_move(burnish_builder *b, int corners) {
     data->triangle_materials =
         permute_array(b, data->triangle_materials, sizeof(uint16_t), move_materials);
     data->triangle_material_capacity = data->triangle_materials ? b->triangle_count : 0;
+    data->triangle_parts = permute_array(b, data->triangle_parts, sizeof(uint16_t), move_materials);
+    data->triangle_part_capacity = data->triangle_parts ? b->triangle_count : 0;
     burnish_release(b->memory->context, b->order);
     b->order = NULL;
     return b->memory->status == BURNISH_STATUS_OK

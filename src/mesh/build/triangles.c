@@ -250,7 +250,7 @@ static void weld_corners(void *context, size_t first, size_t end) {
 }
 
 static void move_triangles(burnish_builder *b, size_t from, size_t to, size_t count) {
-    uint16_t *materials = b->data->triangle_materials;
+    uint16_t *materials = b->data->triangle_materials, *parts = b->data->triangle_parts;
     memmove(b->corner_positions + 3 * to, b->corner_positions + 3 * from, count * BURNISH_TRIPLE);
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         uint32_t *corners = b->data->streams[i].corners;
@@ -260,6 +260,9 @@ static void move_triangles(burnish_builder *b, size_t from, size_t to, size_t co
     }
     if (materials) {
         memmove(materials + to, materials + from, count * sizeof *materials);
+    }
+    if (parts) {
+        memmove(parts + to, parts + from, count * sizeof *parts);
     }
 }
 

@@ -43,6 +43,14 @@ void burnish_mesh_data_destroy(burnish_mesh_data *mesh) {
     burnish_release(context, mesh->lights);
     burnish_release(context, mesh->materials);
     burnish_release(context, mesh->triangle_materials);
+    burnish_release(context, mesh->triangle_parts);
+    if (mesh->negatives) {
+        burnish_mesh_data_destroy(mesh->negatives);
+        burnish_release(context, mesh->negatives);
+    }
+    burnish_release(context, mesh->parts);
+    burnish_release(context, mesh->plates);
+    burnish_release(context, mesh->filaments);
     *mesh = (burnish_mesh_data){.memory = mesh->memory, .tasks = mesh->tasks, .start = mesh->start};
 }
 

@@ -60,9 +60,20 @@ typedef struct burnish_mesh_data {
     float points_min[3], points_max[3]; /* bounds of the lines' ends, and of faces beside them */
     float up_axis[3];                   /* unit length; all 0: the format's */
     const char *unit;                   /* burnish_mesh_info.unit */
+    int is_thumbnail;                   /* burnish_mesh_info.is_thumbnail */
 
     uint16_t *triangle_materials; /* 1 per triangle, in range; NULL: all have material 0 */
     size_t triangle_material_capacity;
+
+    uint16_t *triangle_parts; /* the same for parts */
+    size_t triangle_part_capacity;
+    struct burnish_mesh_data *negatives; /* volumes to be subtracted: triangles with their parts */
+    burnish_part *parts;                 /* burnish_contents, with room for more */
+    size_t part_count, part_capacity;
+    burnish_plate *plates;
+    size_t plate_count, plate_capacity;
+    burnish_filament *filaments;
+    size_t filament_count, filament_capacity;
 
     burnish_material *materials; /* empty: build adds burnish_material_default() */
     size_t material_count, material_capacity;

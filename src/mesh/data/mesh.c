@@ -197,6 +197,7 @@ void burnish_mesh_update_view(burnish_mesh *mesh) {
     view->second_coordinates = mesh->attributes[BURNISH_TEXCOORD2];
     view->indices = mesh->indices;
     view->triangle_materials = mesh->triangle_materials;
+    view->triangle_parts = mesh->triangle_parts;
     view->has_transparent_colors = has_alpha(view->colors, view->vertex_count);
     view->serial = atomic_fetch_add_explicit(&last_serial, 1, memory_order_relaxed) + 1;
     if (view->vertex_count > 0) {
@@ -225,6 +226,11 @@ void burnish_mesh_destroy(burnish_mesh *mesh) {
     burnish_release(context, mesh->materials);
     burnish_release(context, mesh->indices);
     burnish_release(context, mesh->triangle_materials);
+    burnish_release(context, mesh->triangle_parts);
+    burnish_mesh_destroy(mesh->negatives);
+    burnish_release(context, (void *)(uintptr_t)mesh->contents.parts);
+    burnish_release(context, (void *)(uintptr_t)mesh->contents.plates);
+    burnish_release(context, (void *)(uintptr_t)mesh->contents.filaments);
     burnish_release(context, mesh);
 }
 
@@ -237,8 +243,8 @@ const burnish_mesh_info *burnish_mesh_get_info(const burnish_mesh *mesh) {
 }
 
 const burnish_mesh_facts *burnish_mesh_get_facts(const burnish_mesh *mesh) {
-    const int has_faces =
-        mesh && mesh->info.point_count == 0 && (mesh->info.line_count == 0 || mesh->has_beside);
+    const int has_faces = mesh && mesh->info.point_count == 0 && !mesh->info.is_thumbnail &&
+                          (mesh->info.line_count == 0 || mesh->has_beside);
     return has_faces && mesh->has_facts ? &mesh->facts : NULL;
 }
 
@@ -269,6 +275,36 @@ size_t burnish_mesh_get_variant_count(const burnish_mesh *mesh) {
 
 const char *burnish_mesh_get_variant(const burnish_mesh *mesh, size_t index) {
     return mesh && index < mesh->variant_count ? mesh->variants[index] : NULL;
+}
+
+const burnish_contents *burnish_mesh_get_contents(const burnish_mesh *mesh) {
+    return mesh ? &mesh->contents : NULL;
+}
+
+const burnish_mesh *burnish_mesh_get_negatives(const burnish_mesh *mesh) {
+    return mesh ? mesh->negatives : NULL;
+}
+
+const char *burnish_part_role_name(burnish_part_role role) {
+    static const char *const names[BURNISH_PART_ROLE_COUNT] = {
+        "solid",   "negative volume", "modifier", "support blocker", "support enforcer",
+        "support", "not printed"};
+    return role < BURNISH_PART_ROLE_COUNT ? names[role] : NULL;
+}
+
+void burnish_mesh_bound_parts(const burnish_mesh *mesh, burnish_box *boxes) {
+    const burnish_mesh_view *view = &mesh->view;
+    for (size_t i = 0; i < mesh->contents.part_count; ++i) {
+        boxes[i] = (burnish_box){{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
+    }
+    for (size_t i = 0; i < 3 * view->triangle_count && mesh->contents.part_count > 0; ++i) {
+        burnish_box *box = &boxes[view->triangle_parts ? view->triangle_parts[i / 3] : 0];
+        const float *p = view->positions + 3 * (size_t)view->indices[i];
+        for (int k = 0; k < 3; ++k) {
+            box->low[k] = p[k] < box->low[k] ? p[k] : box->low[k];
+            box->high[k] = p[k] > box->high[k] ? p[k] : box->high[k];
+        }
+    }
 }
 
 size_t burnish_mesh_get_camera_count(const burnish_mesh *mesh) {

@@ -17,7 +17,9 @@ struct burnish_mesh {
 
     void *attributes[BURNISH_ATTRIBUTE_COUNT]; /* vertex_count items each; NULL: none */
     uint32_t *indices;
-    uint16_t *triangle_materials;
+    uint16_t *triangle_materials, *triangle_parts;
+    burnish_contents contents; /* its arrays are owned */
+    burnish_mesh *negatives;   /* NULL: none */
 
     burnish_material *materials;
     size_t material_count;

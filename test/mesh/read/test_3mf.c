@@ -83,10 +83,14 @@ static void test_left_out(void) {
                     "<vertex x='0' y='1' z='0'/></vertices><triangles>"
                     "<triangle v1='1' v2='3' v3='4'/></triangles></mesh></object>",
                     ITEM_1 "<item objectid='2'/><item objectid='3'/>" ITEM_1),
-              "mesh.3mf: 3D/a.model:4: an object that is not a model (a support, for example) is "
-              "not drawn (and 1 more like it)");
+              "mesh.3mf: 2 parts are not drawn: support");
     CHECK1(got.triangle_count == 1 && got.streams[BURNISH_POSITION].count == 3 &&
            corner_is(0, 1, 1, 0, 0) && corner_is(0, 2, 0, 1, 0));
+    read_fine(MODEL("<object id='1'><mesh>" TETRAHEDRON "<triangles>" FACES
+                    "</triangles><b:beamlattice/></mesh></object>",
+                    ITEM_1),
+              "mesh.3mf: 3D/a.model:4: a beam lattice is not drawn, the object's mesh is");
+    CHECK1(got.triangle_count == 4);
     read_fine(MODEL("<object id='1'>" MESH "</object>", ITEM_1 "\n<item objectid='7'/>"),
               "mesh.3mf: 3D/a.model:5: object 7 does not exist and is ignored");
     read_fine(MODEL("<object id='1'>" MESH "</object><object id='2'><components>"

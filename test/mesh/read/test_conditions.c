@@ -255,7 +255,8 @@ static int open_seed(const char *folder, const char *name, input *in) {
         in->file.size = (size_t)(rest - text);
     } else if (in->format == BURNISH_FORMAT_3MF && memcmp(text, "PK", 2) != 0) {
         zip_list *zip = begin_3mf(text);
-        put_part(zip, "b", rest + 1, more > 0 ? more - 1 : 0, 0);
+        const size_t second = more > 0 ? more - 1 : 0;
+        put_part(zip, second_part_name(rest + 1, second), rest + 1, second, 0);
         end_zip(zip, 0);
         in->file.size = 0;
         add(&in->file, zip->bytes, zip->size);

@@ -121,6 +121,9 @@ burnish_status burnish_read_from_origin(burnish_reader *reader,
         status = read(&other);
         burnish_reader_close(&other);
         memcpy(mesh->streams, again.streams, sizeof mesh->streams);
+        burnish_mesh_data *const old = mesh->negatives;
+        mesh->negatives = again.negatives;
+        again.negatives = old;
         memcpy(mesh->points_min, again.points_min, sizeof mesh->points_min);
         memcpy(mesh->points_max, again.points_max, sizeof mesh->points_max);
         memcpy(mesh->inner_min, again.inner_min, sizeof mesh->inner_min);

@@ -76,13 +76,18 @@ burnish_threemf_place burnish_threemf_show(const burnish_threemf *threemf, uint3
 /* Follows the package's relationship with its 3D model. */
 static void begin_relationship(burnish_threemf_xml *xml, burnish_threemf_element element,
                                const char *const *attributes) {
-    static const char wanted[] = "/3dmodel";
+    static const char wanted[] = "/3dmodel", picture[] = "/metadata/thumbnail";
     const char *type = burnish_threemf_attribute(attributes, "Type");
     const char *target = burnish_threemf_attribute(attributes, "Target");
     const size_t size = type ? strlen(type) : 0;
     if (element == BURNISH_THREEMF_RELATIONSHIP && target && size >= sizeof wanted - 1 &&
         strcmp(type + size - (sizeof wanted - 1), wanted) == 0 && xml->threemf->parts.count == 0) {
         burnish_threemf_add_part(xml->threemf, target);
+    } else if (element == BURNISH_THREEMF_RELATIONSHIP && target && size >= sizeof picture - 1 &&
+               strcmp(type + size - (sizeof picture - 1), picture) == 0) {
+        char *name = burnish_threemf_copy_name(xml->threemf, target);
+        xml->threemf->thumbnail = name ? burnish_zip_find(&xml->threemf->zip, name) : NULL;
+        burnish_release(xml->threemf->memory->context, name);
     }
 }
 
@@ -187,28 +192,81 @@ static void close_file(burnish_threemf *threemf) {
     burnish_release(context, threemf->ranges.items);
     burnish_release(context, threemf->numbers.items);
     burnish_release(context, threemf->textures.items);
+    burnish_release(context, threemf->settings.items);
+    burnish_release(context, threemf->volumes.items);
+    burnish_release(context, threemf->instances.items);
+    burnish_release(context, threemf->plates.items);
+    burnish_release(context, threemf->filaments.items);
+    burnish_release(context, threemf->middles);
     burnish_zip_close(&threemf->zip);
+}
+
+/* The mesh takes the plates and filaments. */
+static void take_contents(burnish_threemf *threemf) {
+    burnish_mesh_data *mesh = threemf->reader->mesh;
+    mesh->plates = threemf->plates.items;
+    mesh->plate_count = threemf->plates.count;
+    mesh->filaments = threemf->filaments.items;
+    mesh->filament_count = threemf->filaments.count;
+    threemf->plates.items = NULL;
+    threemf->filaments.items = NULL;
+}
+
+static void warn_not_drawn(const burnish_threemf *threemf) {
+    if (threemf->not_drawn_count > 0) {
+        burnish_reader_warn(threemf->reader, NULL, "%zu part%s not drawn: %s%s",
+                            threemf->not_drawn_count,
+                            threemf->not_drawn_count == 1 ? " is" : "s are", threemf->not_drawn,
+                            threemf->has_more ? " and others" : "");
+    }
+    if (threemf->has_negatives) {
+        burnish_reader_warn(threemf->reader, NULL, "negative volumes are not subtracted");
+    }
+}
+
+/* Draws the thumbnail of a file that has nothing else to draw, if the caller permits. */
+static void replace_model(burnish_threemf *threemf) {
+    const burnish_thumbnail wanted = threemf->reader->input->options->thumbnail;
+    const int is_secret = burnish_zip_find(&threemf->zip, "Secure/keystore.xml") != NULL;
+    if (wanted == BURNISH_THUMBNAIL_ONLY) {
+        threemf->status = burnish_threemf_draw_thumbnail(threemf, "its model is not wanted");
+    } else if (wanted == BURNISH_THUMBNAIL_AUTO && threemf->status == BURNISH_STATUS_FORMAT &&
+               (threemf->is_empty || is_secret)) {
+        threemf->status = burnish_threemf_draw_thumbnail(
+            threemf, is_secret ? "it is encrypted" : "no triangles are built");
+    }
+}
+
+static void read_model(burnish_threemf *threemf) {
+    read_parts(threemf);
+    if (threemf->status == BURNISH_STATUS_OK) {
+        sort_resources(threemf);
+    }
+    if (threemf->status == BURNISH_STATUS_OK && burnish_threemf_read_project(threemf) &&
+        burnish_threemf_mix(threemf)) {
+        burnish_threemf_write_scene(threemf);
+        burnish_threemf_settle_values(threemf);
+        take_contents(threemf);
+    }
+    if (threemf->status == BURNISH_STATUS_OK) {
+        threemf->status = threemf->memory->status;
+    }
 }
 
 static burnish_status threemf_read(burnish_reader *reader) {
     burnish_threemf threemf = {.reader = reader, .memory = &reader->mesh->memory};
     threemf.status = burnish_zip_open(&threemf.zip, reader);
     if (threemf.status == BURNISH_STATUS_OK) {
-        read_parts(&threemf);
+        read_model(&threemf);
+        replace_model(&threemf);
     }
     if (threemf.status == BURNISH_STATUS_OK) {
-        sort_resources(&threemf);
-    }
-    if (threemf.status == BURNISH_STATUS_OK && burnish_threemf_mix(&threemf)) {
-        burnish_threemf_write_scene(&threemf);
-        burnish_threemf_settle_values(&threemf);
-    }
-    if (threemf.status == BURNISH_STATUS_OK) {
-        threemf.status = threemf.memory->status;
-    }
-    if (threemf.status == BURNISH_STATUS_OK) {
+        if (reader->error) { /* of something that became a warning */
+            *reader->error = (burnish_error){BURNISH_STATUS_OK, ""};
+        }
         burnish_reader_warn_group(reader, &threemf.missing);
-        burnish_reader_warn_group(reader, &threemf.not_drawn);
+        warn_not_drawn(&threemf);
+        burnish_reader_warn_group(reader, &threemf.bad_paint);
         burnish_reader_warn_group(reader, &threemf.bad_properties);
         burnish_reader_warn_group(reader, &threemf.mixed);
         burnish_reader_warn_group(reader, &threemf.slices);

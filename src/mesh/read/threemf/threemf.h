@@ -5,7 +5,12 @@
  *   threemf_xml     a part's XML, by expat: elements with their parents, and messages
  *   threemf_model   a model part: its elements become the arrays below
  *   threemf_values  colours, coordinates and textures that properties of triangles mean
- *   threemf_scene   objects placed by the build: counted, then written to the mesh
+ *   threemf_paint   triangles that slicers have painted
+ *   threemf_project what slicers add: volumes, plates, filaments
+ *   threemf_plates  where several plates are drawn
+ *   threemf_count   objects placed by the build: counted
+ *   threemf_scene   ... and written to the mesh
+ *   threemf_thumbnail  the package's own picture, if there is nothing else
  *   threemf         entry point: finds the parts, and calls the steps in order
  *
  * Nothing recurses, and there are no pointers between items: they refer to each other by number, or
@@ -17,6 +22,8 @@
 #include "mesh/read/io/zip.h"
 
 #define BURNISH_THREEMF_NONE UINT32_MAX
+#define BURNISH_THREEMF_NESTING 64 /* objects in objects */
+#define BURNISH_THREEMF_PLATES 256 /* slicers permit 36 */
 
 /* An array that grows: BURNISH_THREEMF_LIST(burnish_threemf_object) objects; */
 #define BURNISH_THREEMF_LIST(type)                                                                 \
@@ -92,17 +99,50 @@ typedef struct burnish_threemf_texture {
     int number; /* 1 + the mesh's texture; 0: not loaded; -1: not tried yet */
 } burnish_threemf_texture;
 
+/* Of a slicer: a volume of an object. */
+typedef struct burnish_threemf_volume {
+    char name[BURNISH_NAME_SIZE];
+    burnish_part_role role;
+    int has_type;         /* 1: role is stated by the key that goes first */
+    uint32_t id;          /* of the object that is its mesh, for a component */
+    uint32_t first, last; /* triangles of the object; last NONE: not stated */
+    uint32_t filament;    /* from 1; 0: that of the object */
+} burnish_threemf_volume;
+
+/* Of a slicer: an object of the first part. */
+typedef struct burnish_threemf_settings {
+    char name[BURNISH_NAME_SIZE];
+    uint32_t id, filament;
+    uint32_t first_volume, volume_count;
+    int has_ranges; /* 1: volumes are ranges of triangles, sorted; 0: components */
+} burnish_threemf_settings;
+
+/* Of a slicer: the plate of an item of the build. */
+typedef struct burnish_threemf_instance {
+    uint32_t object, number; /* the object's id; which of its items, from 0 */
+    uint32_t plate;          /* index */
+} burnish_threemf_instance;
+
 typedef struct burnish_threemf_triangle {
     uint32_t corners[3]; /* from the object's first vertex */
+    uint32_t source;     /* which of the object's triangles in the file it is, or a piece of */
+    uint32_t paint;      /* filament it is painted with; 0: that of its part */
     uint32_t group;      /* the group's id, 0 for none; resolved: its number or NONE */
     uint32_t properties[3];
 } burnish_threemf_triangle;
+
+/* The vertex in the middle of a split edge. */
+typedef struct burnish_threemf_middle {
+    uint32_t ends[2], vertex; /* from the object's first vertex; vertex 0: an empty slot */
+} burnish_threemf_middle;
 
 /* An object placed in the build, or in another object. */
 typedef struct burnish_threemf_placement {
     double matrix[12]; /* 3 rows of 4 */
     uint32_t part, id, line;
     uint32_t object; /* resolved: its number or NONE */
+    uint32_t plate;  /* of an item: index or NONE */
+    int is_unprinted;
 } burnish_threemf_placement;
 
 typedef struct burnish_threemf_object {
@@ -111,8 +151,11 @@ typedef struct burnish_threemf_object {
     uint32_t first_triangle, triangle_count;
     uint32_t first_component, component_count;
     uint32_t group, property; /* for triangles without properties; group 0: none */
-    int is_model;             /* 0: a support, or an aid for other programs */
-    int is_component;         /* 1: another object holds it */
+    uint32_t settings;        /* 1 + number; 0: none */
+    uint32_t items;           /* of the build, so far */
+    char name[BURNISH_NAME_SIZE];
+    int is_model;     /* 0: a support, or an aid for other programs */
+    int is_component; /* 1: another object holds it */
     int has_beams, has_slices;
     int state;                    /* while all are counted: 0, 1 on the way down, 2 done */
     uint64_t triangles, vertices; /* including its components */
@@ -125,6 +168,8 @@ typedef struct burnish_threemf {
     burnish_memory *memory;
     burnish_status status; /* of the first failure */
     burnish_zip zip;
+    const burnish_zip_part *thumbnail; /* NULL: no relationship names one */
+    int is_empty;                      /* 1: nothing is built */
 
     BURNISH_THREEMF_LIST(burnish_threemf_part) parts;
     BURNISH_THREEMF_LIST(burnish_threemf_resource) resources; /* sorted, once all are there */
@@ -139,12 +184,26 @@ typedef struct burnish_threemf {
     BURNISH_THREEMF_LIST(burnish_threemf_range) ranges;
     BURNISH_THREEMF_LIST(double) numbers;
     BURNISH_THREEMF_LIST(burnish_threemf_texture) textures;
+    BURNISH_THREEMF_LIST(burnish_threemf_settings) settings;
+    BURNISH_THREEMF_LIST(burnish_threemf_volume) volumes;
+    BURNISH_THREEMF_LIST(burnish_threemf_instance) instances; /* sorted, once all are there */
+    BURNISH_THREEMF_LIST(burnish_plate) plates;
+    BURNISH_THREEMF_LIST(burnish_filament) filaments;
+    burnish_threemf_middle *middles; /* of the current object, hashed by their ends */
+    size_t middle_count, middle_room;
+    double plate_boxes[BURNISH_THREEMF_PLATES][2][2]; /* low and high of what is drawn */
+    int requires_beams;  /* 1: the model can't do without its beam lattices */
+    uint32_t paint_most; /* filament that something is painted with */
+    float bed[2][2];     /* area of the first plate: low, high; empty: unknown */
 
     uint32_t plain_material, colored_material; /* 1 + number; 0: not used yet */
     size_t invisible_colors;                   /* in use, with alpha 0 */
     int uses_colors, uses_coordinates;
 
-    burnish_warning_group missing, not_drawn, bad_properties, mixed, slices;
+    char not_drawn[360]; /* names of parts that are not drawn */
+    size_t not_drawn_count;
+    int has_more, has_negatives; /* 1: than these names; among them */
+    burnish_warning_group missing, bad_paint, bad_properties, mixed, slices;
 } burnish_threemf;
 
 /* The number of the part of a name, which is listed if it is new; NONE after a note if the archive
@@ -171,10 +230,66 @@ burnish_threemf_place burnish_threemf_show(const burnish_threemf *threemf, uint3
 /* Reads the model of part `number`. Returns 0 on failure. */
 int burnish_threemf_read_model(burnish_threemf *threemf, uint32_t number);
 
+/* "#RRGGBB" or "#RRGGBBAA", which is white for anything else. */
+void burnish_threemf_read_color(const char *text, uint8_t color[4]);
+
+/* The value of a hexadecimal digit; -1 for another character. */
+int burnish_threemf_digit(char c);
+
+/* ---- threemf_paint.c ---- */
+
+/* Appends a triangle to an object that is being read. Returns 0 on failure. */
+int burnish_threemf_add_triangle(burnish_threemf *threemf, burnish_threemf_object *object,
+                                 const burnish_threemf_triangle *triangle);
+
+/* Whether a code of painting is complete, and not too deep. */
+int burnish_threemf_is_paint(const char *code);
+
+/* Appends the pieces of a painted triangle, whose code is complete. Returns 0 on failure. */
+int burnish_threemf_paint(burnish_threemf *threemf, burnish_threemf_object *object,
+                          const burnish_threemf_triangle *triangle, const char *code);
+
+/* After an object's last triangle: splits its triangles where their neighbours are split. Returns 0
+ * on failure. */
+int burnish_threemf_join_paint(burnish_threemf *threemf, burnish_threemf_object *object);
+
+/* ---- threemf_project.c ---- */
+
+/* Reads the files of slicers, and gives the objects their settings. Returns 0 on failure. */
+int burnish_threemf_read_project(burnish_threemf *threemf);
+
+/* Copies a name, or what fits of it. */
+void burnish_threemf_set_name(char to[BURNISH_NAME_SIZE], const char *from);
+
+/* The filament of a part that states this one: the first for a number that does not exist; 0
+ * without filaments. */
+uint32_t burnish_threemf_filament(const burnish_threemf *threemf, uint32_t number);
+
+/* The plate of an item, by the id of its object and its number among these; NONE: not stated. */
+uint32_t burnish_threemf_plate_of(const burnish_threemf *threemf, uint32_t object, uint32_t number);
+
+/* ---- threemf_thumbnail.c ---- */
+
+/* Makes a sheet with the package's picture instead of a model. why: for the warning, "it is ..."
+ * Errors: FORMAT (there is none), LIMIT, MEMORY. */
+burnish_status burnish_threemf_draw_thumbnail(burnish_threemf *threemf, const char *why);
+
+/* ---- threemf_plates.c ---- */
+
+/* Gives each item of the build its plate, and leaves out those of other plates than the caller's.
+ * Returns 0 on failure. */
+int burnish_threemf_choose_plates(burnish_threemf *threemf);
+
+/* Moves plates close together, from the boxes of what is drawn on them. */
+void burnish_threemf_place_plates(burnish_threemf *threemf);
+
 /* ---- threemf_values.c ---- */
 
 /* Mixes composites, and chooses what is drawn of multiple properties. Returns 0 on failure. */
 int burnish_threemf_mix(burnish_threemf *threemf);
+
+/* Gives the mesh a material for each filament, before any other. Returns 0 on failure. */
+int burnish_threemf_use_filaments(burnish_threemf *threemf);
 
 /* Resolves the group and properties of an object's triangles, and gives the mesh the materials and
  * textures that they use. Returns 0 on failure. */
@@ -187,6 +302,11 @@ void burnish_threemf_settle_values(burnish_threemf *threemf);
 /* The material of a triangle whose group is resolved. */
 uint16_t burnish_threemf_material_of(const burnish_threemf *threemf,
                                      const burnish_threemf_triangle *triangle);
+
+/* ---- threemf_count.c ---- */
+
+/* Counts what the build places, with the parts that are not drawn. Returns 0 on failure. */
+int burnish_threemf_count(burnish_threemf *threemf);
 
 /* ---- threemf_scene.c ---- */
 

@@ -10,6 +10,7 @@ typedef struct model_state {
     burnish_threemf *threemf;
     uint32_t part;
     uint32_t object, group;
+    uint32_t vertex_count, triangle_count; /* of the object in the file */
 } model_state;
 
 static burnish_threemf_object *object_of(const model_state *model) {
@@ -52,8 +53,11 @@ static void check_required(burnish_threemf_xml *xml, const char *const *attribut
     burnish_token word;
     while (burnish_lexer_word(&lexer, &word)) {
         for (const char *const *a = attributes; *a; a += 2) {
-            if (strncmp(a[0], "xmlns:", 6) == 0 && burnish_token_is(word, a[0] + 6) &&
-                !is_known_space(a[1])) {
+            if (strncmp(a[0], "xmlns:", 6) != 0 || !burnish_token_is(word, a[0] + 6)) {
+                continue;
+            }
+            xml->threemf->requires_beams |= strstr(a[1], "/beamlattice/") != NULL;
+            if (!is_known_space(a[1])) {
                 burnish_threemf_fail(xml, BURNISH_STATUS_FORMAT,
                                      "the model can't be drawn without the extension %.100s, which "
                                      "is not supported; export it without",
@@ -89,12 +93,11 @@ static void begin_model(model_state *model, burnish_threemf_xml *xml,
 
 /* ---- Properties ---- */
 
-static int digit_of(char c) {
+int burnish_threemf_digit(char c) {
     return c >= '0' && c <= '9' ? c - '0' : (c | 32) >= 'a' && (c | 32) <= 'f' ? (c | 32) - 87 : -1;
 }
 
-/* "#RRGGBB" or "#RRGGBBAA", which is white for anything else. */
-static void read_color(const char *text, uint8_t color[4]) {
+void burnish_threemf_read_color(const char *text, uint8_t color[4]) {
     uint8_t read[4] = {255, 255, 255, 255};
     size_t digits = 0;
     memset(color, 255, 4);
@@ -102,7 +105,7 @@ static void read_color(const char *text, uint8_t color[4]) {
         return;
     }
     for (const char *c = text + 1; *c && *c != ' '; ++c, ++digits) {
-        const int digit = digit_of(*c);
+        const int digit = burnish_threemf_digit(*c);
         if (digit < 0 || digits == 8) {
             return;
         }
@@ -144,7 +147,7 @@ static void add_color(model_state *model, const char *text) {
     burnish_threemf *threemf = model->threemf;
     burnish_threemf_color *color = BURNISH_THREEMF_APPEND(threemf, &threemf->colors);
     if (color) {
-        read_color(text, color->rgba);
+        burnish_threemf_read_color(text, color->rgba);
         ++threemf->groups.items[model->group].count;
     }
 }
@@ -210,6 +213,8 @@ static void begin_object(model_state *model, burnish_threemf_xml *xml,
                                      .first_triangle = (uint32_t)threemf->triangles.count,
                                      .first_component = (uint32_t)threemf->components.count};
     object.is_model = !type || strcmp(type, "model") == 0 || strcmp(type, "surface") == 0;
+    const char *name = burnish_threemf_attribute(attributes, "name");
+    burnish_threemf_set_name(object.name, name ? name : "");
     object.has_slices = burnish_threemf_prefixed(attributes, "slicestackid") != NULL;
     add_resource(model, xml, BURNISH_THREEMF_OBJECT, threemf->objects.count, attributes);
     burnish_threemf_whole(xml, attributes, "pid", 0, &object.group);
@@ -218,6 +223,7 @@ static void begin_object(model_state *model, burnish_threemf_xml *xml,
     if (added) {
         *added = object;
         model->object = (uint32_t)threemf->objects.count - 1;
+        model->vertex_count = model->triangle_count = 0;
     }
 }
 
@@ -237,7 +243,7 @@ static void add_vertex(model_state *model, burnish_threemf_xml *xml,
                              BURNISH_VALUE_LIMIT);
     } else if (to) {
         *to = position;
-        ++object_of(model)->vertex_count;
+        model->vertex_count = ++object_of(model)->vertex_count;
     }
 }
 
@@ -257,32 +263,39 @@ static void add_triangle(model_state *model, burnish_threemf_xml *xml,
     static const char *const names[3] = {"v1", "v2", "v3"};
     burnish_threemf *threemf = model->threemf;
     burnish_threemf_object *object = object_of(model);
-    burnish_threemf_triangle triangle;
+    burnish_threemf_triangle triangle = {.paint = 0};
     for (int i = 0; i < 3; ++i) {
         if (!burnish_threemf_whole(xml, attributes, names[i], BURNISH_THREEMF_NONE,
                                    &triangle.corners[i])) {
             return;
         }
-        if (triangle.corners[i] >= object->vertex_count) {
+        if (triangle.corners[i] >= model->vertex_count) {
             burnish_threemf_fail(xml, BURNISH_STATUS_FORMAT,
                                  "%s %u is out of range; there are %u vertices, counted from 0",
-                                 names[i], triangle.corners[i], object->vertex_count);
+                                 names[i], triangle.corners[i], model->vertex_count);
             return;
         }
     }
     if (!read_properties(object, xml, attributes, &triangle)) {
         return;
     }
-    const burnish_load_options *options = threemf->reader->input->options;
-    if (threemf->triangles.count == options->max_triangles) {
-        threemf->status = burnish_fail_triangles(threemf->reader, NULL);
+    const int has_more = attributes[6] != NULL; /* than corners */
+    const char *code = has_more ? burnish_threemf_attribute(attributes, "paint_color") : NULL;
+    if (has_more && !code) {
+        code = burnish_threemf_prefixed(attributes, "mmu_segmentation");
+    }
+    triangle.source = model->triangle_count++;
+    if (code && *code && burnish_threemf_is_paint(code)) {
+        burnish_threemf_paint(threemf, object, &triangle, code);
         return;
     }
-    burnish_threemf_triangle *to = BURNISH_THREEMF_APPEND(threemf, &threemf->triangles);
-    if (to) {
-        *to = triangle;
-        ++object->triangle_count;
+    if (code && *code) {
+        burnish_reader_note(threemf->reader, &threemf->bad_paint, NULL,
+                            "%.80s:%u: the painting of a triangle ends early or is more than 24 "
+                            "splits deep; it is not drawn",
+                            xml->part, burnish_threemf_line(xml));
     }
+    burnish_threemf_add_triangle(threemf, object, &triangle);
 }
 
 /* ---- What stands somewhere ---- */
@@ -311,8 +324,12 @@ static int read_matrix(burnish_threemf_xml *xml, const char *text, double matrix
 static int read_placement(model_state *model, burnish_threemf_xml *xml,
                           const char *const *attributes, burnish_threemf_placement *placement) {
     const char *path = burnish_threemf_prefixed(attributes, "path");
+    const char *printable = burnish_threemf_attribute(attributes, "printable");
     *placement =
-        (burnish_threemf_placement){.part = model->part, .line = burnish_threemf_line(xml)};
+        (burnish_threemf_placement){.part = model->part,
+                                    .line = burnish_threemf_line(xml),
+                                    .plate = BURNISH_THREEMF_NONE,
+                                    .is_unprinted = printable && strcmp(printable, "0") == 0};
     if (path) {
         placement->part = burnish_threemf_add_part(model->threemf, path);
     }
@@ -444,7 +461,8 @@ static void drop_unused(model_state *model) {
 
 static void end_element(burnish_threemf_xml *xml, burnish_threemf_element element) {
     model_state *model = xml->handler.user_data;
-    if (element == BURNISH_THREEMF_THE_OBJECT && object_of(model)->vertex_count > 0) {
+    if (element == BURNISH_THREEMF_THE_OBJECT && object_of(model)->vertex_count > 0 &&
+        burnish_threemf_join_paint(model->threemf, object_of(model))) {
         drop_unused(model);
     }
 }

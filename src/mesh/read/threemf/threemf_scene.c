@@ -4,23 +4,15 @@
 
 #if BURNISH_HAS_3MF
 
+#include <float.h>
+
 #include "mesh/read/common/local_origin.h"
 #include "mesh/read/common/textures.h"
-#include "mesh/read/io/budget.h"
 
 enum {
-    NESTING_MOST = 64,     /* objects in objects */
-    VISITS_MOST = 1 << 22, /* objects that are placed, including those that only contain others */
-    STEP = 1 << 16         /* triangles between checks for cancellation */
+    VOLUMES_SEARCHED = 256, /* of an object by their ids: bounds the time for each component */
+    STEP = 1 << 16          /* triangles between checks for cancellation */
 };
-
-static int scene_fail(burnish_threemf *threemf, burnish_status status,
-                      const burnish_threemf_placement *placement, uint32_t part, const char *what) {
-    threemf->status =
-        burnish_reader_fail(threemf->reader, status, NULL, "%s: %s",
-                            burnish_threemf_show(threemf, part, placement->line).text, what);
-    return 0;
-}
 
 /* ---- Who is meant ---- */
 
@@ -46,8 +38,10 @@ static void build_all(burnish_threemf *threemf) {
         burnish_threemf_placement *item =
             object->is_component ? NULL : BURNISH_THREEMF_APPEND(threemf, &threemf->items);
         if (item) {
-            *item = (burnish_threemf_placement){
-                .part = object->part, .line = object->line, .object = i};
+            *item = (burnish_threemf_placement){.part = object->part,
+                                                .line = object->line,
+                                                .object = i,
+                                                .plate = BURNISH_THREEMF_NONE};
             memcpy(item->matrix, identity, sizeof identity);
         }
     }
@@ -67,109 +61,40 @@ static void resolve_all(burnish_threemf *threemf) {
         }
     }
     for (size_t i = 0; i < threemf->items.count; ++i) {
-        resolve_placement(threemf, &threemf->items.items[i], 0);
+        burnish_threemf_placement *item = &threemf->items.items[i];
+        resolve_placement(threemf, item, 0);
+        if (item->object != BURNISH_THREEMF_NONE) {
+            item->plate = burnish_threemf_plate_of(threemf, item->id,
+                                                   threemf->objects.items[item->object].items++);
+        }
     }
     if (threemf->items.count == 0 && threemf->objects.count > 0) {
         build_all(threemf);
     }
 }
 
-/* ---- Counting ---- */
-
-static uint64_t add_saturated(uint64_t a, uint64_t b) {
-    return a > UINT64_MAX - b ? UINT64_MAX : a + b;
-}
-
-/* Objects that can't be drawn, or need a warning. */
-static int check_object(burnish_threemf *threemf, const burnish_threemf_object *object) {
-    if (object->has_beams) {
-        threemf->status = burnish_reader_fail(
-            threemf->reader, BURNISH_STATUS_FORMAT, NULL,
-            "%s: an object is made of beams (beam lattice), which are not drawn; export its mesh",
-            burnish_threemf_show(threemf, object->part, object->line).text);
-    }
-    if (object->has_slices) {
-        burnish_reader_note(threemf->reader, &threemf->slices, NULL,
-                            "%s: slices are not drawn, the object's mesh is",
-                            burnish_threemf_show(threemf, object->part, object->line).text);
-    }
-    return threemf->status == BURNISH_STATUS_OK;
-}
-
-/* Adds up triangles and visits of an object after its components. */
-static void sum_object(burnish_threemf *threemf, burnish_threemf_object *object) {
-    object->triangles = object->triangle_count;
-    object->vertices = object->triangle_count > 0 ? object->vertex_count : 0;
-    object->visits = 1;
-    for (uint32_t k = 0; k < object->component_count; ++k) {
-        const uint32_t number = threemf->components.items[object->first_component + k].object;
-        const burnish_threemf_object *part =
-            number == BURNISH_THREEMF_NONE ? NULL : &threemf->objects.items[number];
-        if (part && part->triangles > 0) {
-            object->triangles = add_saturated(object->triangles, part->triangles);
-            object->vertices = add_saturated(object->vertices, part->vertices);
-            object->visits = add_saturated(object->visits, part->visits);
-        }
-    }
-    object->state = 2;
-}
-
-/* Counts an object and its components, which come first, each once. */
-static int count_object(burnish_threemf *threemf, const burnish_threemf_placement *item) {
-    struct {
-        uint32_t object, next;
-    } stack[NESTING_MOST];
-    size_t depth = 0;
-    if (threemf->objects.items[item->object].state == 2) {
-        return 1;
-    }
-    stack[depth].object = item->object;
-    stack[depth++].next = 0;
-    while (depth > 0) {
-        burnish_threemf_object *object = &threemf->objects.items[stack[depth - 1].object];
-        const uint32_t next = stack[depth - 1].next++;
-        if (object->state == 0 && !check_object(threemf, object)) {
-            return 0;
-        }
-        object->state = 1;
-        if (next == object->component_count) {
-            sum_object(threemf, object);
-            --depth;
-            continue;
-        }
-        const burnish_threemf_placement *component =
-            &threemf->components.items[object->first_component + next];
-        const int state = component->object == BURNISH_THREEMF_NONE
-                              ? 2
-                              : threemf->objects.items[component->object].state;
-        if (state == 1) {
-            return scene_fail(threemf, BURNISH_STATUS_FORMAT, component, object->part,
-                              "an object holds itself; repair the file");
-        }
-        if (state == 0 && depth == NESTING_MOST) {
-            return scene_fail(threemf, BURNISH_STATUS_LIMIT, component, object->part,
-                              "objects are nested more than 64 deep; export them flat");
-        }
-        if (state == 0) {
-            stack[depth].object = component->object;
-            stack[depth++].next = 0;
-        }
-    }
-    return 1;
-}
-
 /* ---- Drawing ---- */
 
-/* Matrices of objects in objects, down to the one that is drawn. */
+/* An object on the way down from an item of the build. */
+typedef struct scene_place {
+    uint32_t object, next;
+    const char *name; /* of its own, or of what holds it */
+    burnish_part_role role;
+    uint32_t filament;
+    double matrix[12];
+} scene_place;
+
 typedef struct scene_writer {
     burnish_threemf *threemf;
     burnish_mesh_data *mesh;
     uint64_t triangles, vertices; /* of all that is drawn */
+    uint64_t negative_triangles, negative_vertices;
+    const burnish_threemf_placement *item;
+    size_t part; /* which is next, while triangles are written */
     int has_materials;
 } scene_writer;
 
-typedef int use_object(scene_writer *writer, burnish_threemf_object *object,
-                       const double matrix[12]);
+typedef int use_object(scene_writer *writer, const scene_place *place);
 
 static void multiply_matrices(const double a[12], const double b[12], double product[12]) {
     for (int row = 0; row < 3; ++row) {
@@ -181,25 +106,90 @@ static void multiply_matrices(const double a[12], const double b[12], double pro
     }
 }
 
+static const burnish_threemf_settings *settings_of(const burnish_threemf *threemf,
+                                                   const burnish_threemf_object *object) {
+    return object->settings ? &threemf->settings.items[object->settings - 1] : NULL;
+}
+
+static void enter_volume(scene_place *place, const burnish_threemf_volume *volume) {
+    place->role = place->role == BURNISH_PART_SOLID ? volume->role : place->role;
+    place->name = *volume->name ? volume->name : place->name;
+    place->filament = volume->filament ? volume->filament : place->filament;
+}
+
+/* What its own settings say about an object. A slicer's word about a volume counts more than the
+ * type of its object, because slicers differ in the type of what is no part. */
+static void enter_object(const burnish_threemf *threemf, scene_place *place,
+                         const burnish_threemf_volume *volume) {
+    const burnish_threemf_object *object = &threemf->objects.items[place->object];
+    const burnish_threemf_settings *settings = settings_of(threemf, object);
+    const char *own = settings && *settings->name ? settings->name : object->name;
+    place->next = 0;
+    place->name = *own ? own : place->name;
+    place->filament = settings && settings->filament ? settings->filament : place->filament;
+    if (!volume && settings && settings->volume_count == 1 && !settings->has_ranges &&
+        object->component_count == 0) { /* its own mesh */
+        volume = &threemf->volumes.items[settings->first_volume];
+    }
+    if (volume) {
+        enter_volume(place, volume);
+    } else if (!object->is_model && place->role == BURNISH_PART_SOLID) {
+        place->role = BURNISH_PART_SUPPORT;
+    }
+}
+
+/* The volume that is component `number` of an object: the one in its position, or the first with
+ * its id; NULL if there is none. */
+static const burnish_threemf_volume *find_volume(const burnish_threemf *threemf,
+                                                 const burnish_threemf_object *object,
+                                                 uint32_t number, uint32_t id) {
+    const burnish_threemf_settings *settings = settings_of(threemf, object);
+    const uint32_t count = settings && !settings->has_ranges ? settings->volume_count : 0;
+    const burnish_threemf_volume *volumes =
+        count > 0 ? threemf->volumes.items + settings->first_volume : NULL;
+    for (uint32_t i = 0; i <= count && i < VOLUMES_SEARCHED; ++i) {
+        const uint32_t at = i == 0 ? number : i - 1;
+        if (at < count && volumes[at].id == id) {
+            return &volumes[at];
+        }
+    }
+    return NULL;
+}
+
+/* Goes down to a component of `from`. */
+static void enter_component(const burnish_threemf *threemf, const scene_place *from,
+                            uint32_t number, scene_place *to) {
+    const burnish_threemf_object *object = &threemf->objects.items[from->object];
+    const burnish_threemf_placement *component =
+        &threemf->components.items[object->first_component + number];
+    const burnish_threemf_volume *volume = find_volume(threemf, object, number, component->id);
+    *to = *from;
+    multiply_matrices(from->matrix, component->matrix, to->matrix);
+    to->object = component->object;
+    enter_object(threemf, to, volume);
+}
+
 /* Calls `use` for an object of the build and for everything that it contains, at each place.
  * Objects without triangles are skipped, which limits the steps to the visits. Returns 0 on
  * failure. */
-static int walk_objects(scene_writer *writer, const burnish_threemf_placement *item,
-                        use_object *use) {
+static int walk_objects(scene_writer *writer, use_object *use) {
     burnish_threemf *threemf = writer->threemf;
-    struct {
-        uint32_t object, next;
-        double matrix[12];
-    } stack[NESTING_MOST];
+    scene_place stack[BURNISH_THREEMF_NESTING] = {
+        {.object = writer->item->object,
+         .name = "",
+         .role = writer->item->is_unprinted ? BURNISH_PART_UNPRINTED : BURNISH_PART_SOLID}};
     size_t depth = 1;
-    stack[0].object = item->object;
-    stack[0].next = 0;
-    memcpy(stack[0].matrix, item->matrix, sizeof item->matrix);
+    memcpy(stack[0].matrix, writer->item->matrix, sizeof stack[0].matrix);
+    if (writer->item->plate != BURNISH_THREEMF_NONE) {
+        for (int k = 0; k < 2; ++k) {
+            stack[0].matrix[4 * k + 3] += threemf->plates.items[writer->item->plate].shift[k];
+        }
+    }
+    enter_object(threemf, &stack[0], NULL);
     while (depth > 0) {
-        burnish_threemf_object *object = &threemf->objects.items[stack[depth - 1].object];
+        const burnish_threemf_object *object = &threemf->objects.items[stack[depth - 1].object];
         const uint32_t next = stack[depth - 1].next++;
-        if (next == 0 && object->triangle_count > 0 &&
-            !use(writer, object, stack[depth - 1].matrix)) {
+        if (next == 0 && object->triangle_count > 0 && !use(writer, &stack[depth - 1])) {
             return 0;
         }
         if (next == object->component_count) {
@@ -210,9 +200,8 @@ static int walk_objects(scene_writer *writer, const burnish_threemf_placement *i
             &threemf->components.items[object->first_component + next];
         if (component->object != BURNISH_THREEMF_NONE &&
             threemf->objects.items[component->object].triangles > 0) {
-            multiply_matrices(stack[depth - 1].matrix, component->matrix, stack[depth].matrix);
-            stack[depth].object = component->object;
-            stack[depth++].next = 0;
+            enter_component(threemf, &stack[depth - 1], next, &stack[depth]);
+            ++depth;
         }
     }
     return 1;
@@ -222,32 +211,148 @@ static int walk_all(scene_writer *writer, use_object *use) {
     burnish_threemf *threemf = writer->threemf;
     int is_fine = 1;
     for (size_t i = 0; i < threemf->items.count && is_fine; ++i) {
-        const burnish_threemf_placement *item = &threemf->items.items[i];
-        const burnish_threemf_object *object =
-            item->object == BURNISH_THREEMF_NONE ? NULL : &threemf->objects.items[item->object];
-        if (object && object->triangles > 0) {
-            is_fine = walk_objects(writer, item, use);
+        writer->item = &threemf->items.items[i];
+        const uint32_t object = writer->item->object;
+        if (object != BURNISH_THREEMF_NONE && threemf->objects.items[object].triangles > 0) {
+            is_fine = walk_objects(writer, use);
         }
     }
     return is_fine;
 }
 
-/* Resolves the properties of an object's triangles at its first use, and counts its vertices. */
-static int prepare_object(scene_writer *writer, burnish_threemf_object *object,
-                          const double matrix[12]) {
-    (void)matrix;
-    writer->vertices += object->vertex_count;
-    if (object->state == 2) {
+/* The part for triangle `source` of a place, and the end of the triangles for which this holds. */
+static burnish_part part_at(const scene_writer *writer, const scene_place *place, uint32_t source,
+                            uint32_t *end) {
+    const burnish_threemf *threemf = writer->threemf;
+    const burnish_threemf_object *object = &threemf->objects.items[place->object];
+    const burnish_threemf_settings *settings = settings_of(threemf, object);
+    const burnish_threemf_volume *volumes =
+        settings && settings->has_ranges ? threemf->volumes.items + settings->first_volume : NULL;
+    burnish_part part = {.role = place->role};
+    const char *name = place->name;
+    uint32_t filament = place->filament, first = 0;
+    *end = BURNISH_THREEMF_NONE;
+    for (uint32_t last = volumes ? settings->volume_count : 0;
+         first < last;) { /* the volumes before `first` begin here or before */
+        const uint32_t middle = first + (last - first) / 2;
+        if (volumes[middle].first <= source) {
+            first = middle + 1;
+        } else {
+            *end = volumes[middle].first;
+            last = middle;
+        }
+    }
+    if (first > 0 && source <= volumes[first - 1].last) {
+        const burnish_threemf_volume *volume = &volumes[first - 1];
+        name = *volume->name ? volume->name : name;
+        part.role = part.role == BURNISH_PART_SOLID ? volume->role : part.role;
+        filament = volume->filament ? volume->filament : filament;
+        *end = volume->last < *end ? volume->last + 1 : *end;
+    }
+    part.filament = (int)burnish_threemf_filament(threemf, filament);
+    burnish_threemf_set_name(part.name, name);
+    return part;
+}
+
+/* Names a part that is not drawn, unless one of that name is already listed. */
+static void note_not_drawn(burnish_threemf *threemf, const burnish_part *part) {
+    const size_t used = strlen(threemf->not_drawn), room = sizeof threemf->not_drawn - used;
+    char line[BURNISH_NAME_SIZE + 40];
+    const int size = snprintf(line, sizeof line, *part->name ? "%s%s \"%s\"" : "%s%s",
+                              used > 0 ? ", " : "", burnish_part_role_name(part->role), part->name);
+    ++threemf->not_drawn_count;
+    threemf->has_negatives |= part->role == BURNISH_PART_NEGATIVE;
+    if (strstr(threemf->not_drawn, line + (used > 0 ? 2 : 0))) {
+        return;
+    }
+    if (threemf->has_more || (size_t)size >= room) {
+        threemf->has_more = 1;
+    } else {
+        memcpy(threemf->not_drawn + used, line, (size_t)size + 1);
+    }
+}
+
+/* Lists a part, the last one in place of all beyond BURNISH_PARTS_MAX. */
+static int list_part_of(scene_writer *writer, const scene_place *place, burnish_part *part) {
+    burnish_threemf *threemf = writer->threemf;
+    burnish_mesh_data *mesh = writer->mesh;
+    part->id = writer->item->id;
+    part->plate = writer->item->plate == BURNISH_THREEMF_NONE
+                      ? 0
+                      : threemf->plates.items[writer->item->plate].number;
+    memcpy(part->transform, place->matrix, sizeof part->transform);
+    if (part->role != BURNISH_PART_SOLID) {
+        note_not_drawn(threemf, part);
+    }
+    if (mesh->part_count == BURNISH_PARTS_MAX) {
+        return 1;
+    }
+    mesh->parts = burnish_reserve(threemf->memory, mesh->parts, &mesh->part_capacity,
+                                  mesh->part_count + 1, sizeof *mesh->parts, "parts");
+    if (threemf->memory->status == BURNISH_STATUS_OK) {
+        mesh->parts[mesh->part_count++] = *part;
+    }
+    return threemf->memory->status == BURNISH_STATUS_OK;
+}
+
+/* Extends the box of an item's plate by an object. */
+static void extend_plate(scene_writer *writer, const burnish_threemf_object *object,
+                         const double m[12]) {
+    burnish_threemf *threemf = writer->threemf;
+    if (writer->item->plate == BURNISH_THREEMF_NONE || threemf->plates.count < 2) {
+        return;
+    }
+    double(*box)[2] = threemf->plate_boxes[writer->item->plate];
+    for (uint32_t i = 0; i < object->vertex_count; ++i) {
+        const float *p = threemf->vertices.items[object->first_vertex + i].xyz;
+        for (int k = 0; k < 2; ++k) {
+            const double *r = m + 4 * k;
+            const double at =
+                r[0] * (double)p[0] + r[1] * (double)p[1] + r[2] * (double)p[2] + r[3];
+            box[0][k] = at < box[0][k] ? at : box[0][k];
+            box[1][k] = at > box[1][k] ? at : box[1][k];
+        }
+    }
+}
+
+/* Lists the parts of an object at a place, and counts what is drawn of it. Resolves the properties
+ * of its triangles at the first use. */
+static int prepare_object(scene_writer *writer, const scene_place *place) {
+    burnish_threemf *threemf = writer->threemf;
+    burnish_threemf_object *object = &threemf->objects.items[place->object];
+    const burnish_threemf_triangle *triangles = threemf->triangles.items + object->first_triangle;
+    uint64_t drawn = 0, negative = 0;
+    for (uint32_t i = 0, end; i < object->triangle_count;) {
+        const uint32_t first = i;
+        burnish_part part = part_at(writer, place, triangles[i].source, &end);
+        while (i < object->triangle_count && triangles[i].source < end) {
+            ++i;
+        }
+        part.triangle_count = i - first;
+        drawn += part.role == BURNISH_PART_SOLID ? part.triangle_count : 0;
+        negative += part.role == BURNISH_PART_NEGATIVE ? part.triangle_count : 0;
+        if (!list_part_of(writer, place, &part)) {
+            return 0;
+        }
+    }
+    writer->triangles += drawn;
+    writer->vertices += drawn > 0 ? object->vertex_count : 0;
+    writer->negative_triangles += negative;
+    writer->negative_vertices += negative > 0 ? object->vertex_count : 0;
+    if (drawn > 0) {
+        extend_plate(writer, object, place->matrix);
+    }
+    if (drawn > 0 && object->state == 2) {
         object->state = 3;
-        return burnish_threemf_use_values(writer->threemf, object);
+        return burnish_threemf_use_values(threemf, object);
     }
     return 1;
 }
 
-static int put_vertices(scene_writer *writer, const burnish_threemf_object *object,
-                        const double m[12]) {
+static int put_vertices(scene_writer *writer, burnish_mesh_data *mesh,
+                        const burnish_threemf_object *object, const double m[12]) {
     burnish_threemf *threemf = writer->threemf;
-    burnish_stream *positions = &writer->mesh->streams[BURNISH_POSITION];
+    burnish_stream *positions = &mesh->streams[BURNISH_POSITION];
     float *to = (float *)positions->items + 3 * positions->count;
     for (uint32_t i = 0; i < object->vertex_count; ++i, to += 3) {
         const float *p = threemf->vertices.items[object->first_vertex + i].xyz;
@@ -255,7 +360,7 @@ static int put_vertices(scene_writer *writer, const burnish_threemf_object *obje
             const double *r = m + 4 * row;
             const double moved =
                 r[0] * (double)p[0] + r[1] * (double)p[1] + r[2] * (double)p[2] + r[3];
-            if (!burnish_place(moved, writer->mesh->origin[row], &to[row])) {
+            if (!burnish_place(moved, mesh->origin[row], &to[row])) {
                 threemf->status = burnish_reader_fail(
                     threemf->reader, BURNISH_STATUS_FORMAT, NULL,
                     "%s: a position of the object is placed beyond 3.4e38; repair the transforms",
@@ -264,6 +369,7 @@ static int put_vertices(scene_writer *writer, const burnish_threemf_object *obje
             }
         }
     }
+    positions->count += object->vertex_count;
     return 1;
 }
 
@@ -274,12 +380,15 @@ static int is_mirrored(const double m[12]) {
            0;
 }
 
-static void put_triangle(const scene_writer *writer, const burnish_threemf_triangle *triangle,
-                         uint32_t base, int is_turned) {
+static void put_triangle(const scene_writer *writer, burnish_mesh_data *mesh,
+                         const burnish_threemf_triangle *triangle, uint32_t base, int is_turned,
+                         uint32_t filament) {
     const burnish_threemf *threemf = writer->threemf;
-    burnish_mesh_data *mesh = writer->mesh;
-    const burnish_threemf_group *group =
-        triangle->group == BURNISH_THREEMF_NONE ? NULL : &threemf->groups.items[triangle->group];
+    const int is_drawn = mesh == writer->mesh;
+    const uint32_t paint = triangle->paint <= threemf->filaments.count ? triangle->paint : 0;
+    const burnish_threemf_group *group = paint || triangle->group == BURNISH_THREEMF_NONE
+                                             ? NULL
+                                             : &threemf->groups.items[triangle->group];
     const int has_coordinates = group && group->kind == BURNISH_THREEMF_COORDINATES;
     const int has_colors = group && (group->kind == BURNISH_THREEMF_COLORS ||
                                      group->kind == BURNISH_THREEMF_COMPOSITES);
@@ -287,38 +396,56 @@ static void put_triangle(const scene_writer *writer, const burnish_threemf_trian
         const int from = is_turned && k > 0 ? 3 - k : k;
         const size_t at = 3 * mesh->triangle_count + (size_t)k;
         mesh->streams[BURNISH_POSITION].corners[at] = base + triangle->corners[from];
-        if (threemf->uses_colors) { /* the first is white */
+        if (threemf->uses_colors && is_drawn) { /* the first is white */
             mesh->streams[BURNISH_COLOR].corners[at] =
                 has_colors ? group->first + triangle->properties[from] : 0;
         }
-        if (threemf->uses_coordinates) {
+        if (threemf->uses_coordinates && is_drawn) {
             mesh->streams[BURNISH_TEXCOORD].corners[at] =
                 has_coordinates ? group->first + triangle->properties[from] : BURNISH_NONE;
         }
     }
-    if (writer->has_materials) {
+    if (writer->has_materials && is_drawn) {
         mesh->triangle_materials[mesh->triangle_count] =
-            burnish_threemf_material_of(threemf, triangle);
+            paint || (!group && filament) ? (uint16_t)((paint ? paint : filament) - 1)
+                                          : burnish_threemf_material_of(threemf, triangle);
+    }
+    if (mesh->triangle_parts) {
+        const size_t last = writer->mesh->part_count - 1;
+        mesh->triangle_parts[mesh->triangle_count] =
+            (uint16_t)(writer->part < last ? writer->part : last);
     }
 }
 
-static int write_object(scene_writer *writer, burnish_threemf_object *object,
-                        const double matrix[12]) {
+static int write_object(scene_writer *writer, const scene_place *place) {
     burnish_threemf *threemf = writer->threemf;
-    burnish_mesh_data *mesh = writer->mesh;
-    const uint32_t base = (uint32_t)mesh->streams[BURNISH_POSITION].count;
-    const int is_turned = is_mirrored(matrix);
-    if (!put_vertices(writer, object, matrix)) {
-        return 0;
-    }
-    mesh->streams[BURNISH_POSITION].count += object->vertex_count;
-    for (uint32_t i = 0; i < object->triangle_count; ++i) {
-        put_triangle(writer, &threemf->triangles.items[object->first_triangle + i], base,
-                     is_turned);
-        if (++mesh->triangle_count % STEP == 0) {
-            threemf->status = burnish_tasks_check(mesh->tasks, threemf->reader->error);
-            if (threemf->status != BURNISH_STATUS_OK) {
+    const burnish_threemf_object *object = &threemf->objects.items[place->object];
+    const burnish_threemf_triangle *triangles = threemf->triangles.items + object->first_triangle;
+    uint32_t bases[2] = {BURNISH_THREEMF_NONE, BURNISH_THREEMF_NONE};
+    const int is_turned = is_mirrored(place->matrix);
+    for (uint32_t i = 0, end; i < object->triangle_count; ++writer->part) {
+        const burnish_part part = part_at(writer, place, triangles[i].source, &end);
+        const int is_negative = part.role == BURNISH_PART_NEGATIVE;
+        burnish_mesh_data *mesh = is_negative                       ? writer->mesh->negatives
+                                  : part.role == BURNISH_PART_SOLID ? writer->mesh
+                                                                    : NULL;
+        uint32_t *base = &bases[is_negative];
+        if (mesh && *base == BURNISH_THREEMF_NONE) {
+            *base = (uint32_t)mesh->streams[BURNISH_POSITION].count;
+            if (!put_vertices(writer, mesh, object, place->matrix)) {
                 return 0;
+            }
+        }
+        for (; i < object->triangle_count && triangles[i].source < end; ++i) {
+            if (!mesh) {
+                continue;
+            }
+            put_triangle(writer, mesh, &triangles[i], *base, is_turned, (uint32_t)part.filament);
+            if (++mesh->triangle_count % STEP == 0) {
+                threemf->status = burnish_tasks_check(mesh->tasks, threemf->reader->error);
+                if (threemf->status != BURNISH_STATUS_OK) {
+                    return 0;
+                }
             }
         }
     }
@@ -326,48 +453,6 @@ static int write_object(scene_writer *writer, burnish_threemf_object *object,
 }
 
 /* ---- The whole ---- */
-
-static int count_all(scene_writer *writer) {
-    burnish_threemf *threemf = writer->threemf;
-    uint64_t visits = 0, vertices = 0;
-    for (size_t i = 0; i < threemf->items.count; ++i) {
-        burnish_threemf_placement *item = &threemf->items.items[i];
-        if (item->object == BURNISH_THREEMF_NONE) {
-            continue;
-        }
-        const burnish_threemf_object *object = &threemf->objects.items[item->object];
-        if (!object->is_model) {
-            burnish_reader_note(
-                threemf->reader, &threemf->not_drawn, NULL,
-                "%s: an object that is not a model (a support, for example) is not drawn",
-                burnish_threemf_show(threemf, object->part, object->line).text);
-            item->object = BURNISH_THREEMF_NONE;
-            continue;
-        }
-        if (!count_object(threemf, item)) {
-            return 0;
-        }
-        writer->triangles = add_saturated(writer->triangles, object->triangles);
-        vertices = add_saturated(vertices, object->vertices);
-        visits = add_saturated(visits, object->visits);
-    }
-    const burnish_load_options *options = threemf->reader->input->options;
-    threemf->status = burnish_budget_check(threemf->reader, vertices, writer->triangles);
-    if (threemf->status != BURNISH_STATUS_OK) {
-        return 0;
-    }
-    if (writer->triangles > options->max_triangles) {
-        threemf->status = burnish_fail_triangles(threemf->reader, NULL);
-    } else if (visits > VISITS_MOST) {
-        threemf->status = burnish_reader_fail(
-            threemf->reader, BURNISH_STATUS_LIMIT, NULL,
-            "its build places more than %d objects; export it flat", VISITS_MOST);
-    } else if (writer->triangles == 0) {
-        threemf->status = burnish_reader_fail(threemf->reader, BURNISH_STATUS_FORMAT, NULL,
-                                              "no triangles are built; export the model's meshes");
-    }
-    return threemf->status == BURNISH_STATUS_OK;
-}
 
 /* Corners index colours and coordinates, so all placements share the file's values. */
 static int copy_values(scene_writer *writer, burnish_attribute attribute, const void *items,
@@ -382,6 +467,28 @@ static int copy_values(scene_writer *writer, burnish_attribute attribute, const 
     return mesh->memory.status == BURNISH_STATUS_OK;
 }
 
+/* Arrays for the negative volumes, if there are some. */
+static void reserve_negatives(scene_writer *writer) {
+    burnish_memory *memory = writer->threemf->memory;
+    burnish_mesh_data *made =
+        writer->negative_triangles > 0
+            ? burnish_allocate_zeroed(memory, 1, sizeof *made, "negative volumes")
+            : NULL;
+    if (made) {
+        *made = burnish_mesh_data_begin(memory->context, writer->mesh->tasks, memory->error);
+        memcpy(made->origin, writer->mesh->origin, sizeof made->origin);
+        made->is_silent = 1;
+        writer->mesh->negatives = made;
+        burnish_mesh_data_reserve(made, BURNISH_POSITION, (size_t)writer->negative_vertices);
+        burnish_mesh_data_reserve_corners(made, BURNISH_POSITION,
+                                          (size_t)writer->negative_triangles);
+        made->triangle_parts = burnish_reserve_discard(
+            &made->memory, NULL, &made->triangle_part_capacity, (size_t)writer->negative_triangles,
+            sizeof *made->triangle_parts, "triangle parts");
+        memory->status = made->memory.status;
+    }
+}
+
 static int reserve_arrays(scene_writer *writer) {
     burnish_threemf *threemf = writer->threemf;
     burnish_mesh_data *mesh = writer->mesh;
@@ -389,6 +496,11 @@ static int reserve_arrays(scene_writer *writer) {
         threemf->uses_coordinates &&
         burnish_reader_keeps_coordinates(threemf->reader, mesh->texture_count > 0);
     writer->has_materials = mesh->material_count > 1;
+    if (mesh->part_count > 1) {
+        mesh->triangle_parts = burnish_reserve_discard(
+            threemf->memory, mesh->triangle_parts, &mesh->triangle_part_capacity,
+            (size_t)writer->triangles, sizeof *mesh->triangle_parts, "triangle parts");
+    }
     burnish_mesh_data_reserve(mesh, BURNISH_POSITION, (size_t)writer->vertices);
     burnish_mesh_data_reserve_corners(mesh, BURNISH_POSITION, (size_t)writer->triangles);
     if (threemf->uses_colors) {
@@ -403,6 +515,9 @@ static int reserve_arrays(scene_writer *writer) {
             threemf->memory, mesh->triangle_materials, &mesh->triangle_material_capacity,
             (size_t)writer->triangles, sizeof *mesh->triangle_materials, "triangle materials");
     }
+    if (threemf->memory->status == BURNISH_STATUS_OK) {
+        reserve_negatives(writer);
+    }
     threemf->status = threemf->memory->status;
     return threemf->status == BURNISH_STATUS_OK;
 }
@@ -410,7 +525,21 @@ static int reserve_arrays(scene_writer *writer) {
 int burnish_threemf_write_scene(burnish_threemf *threemf) {
     scene_writer writer = {.threemf = threemf, .mesh = threemf->reader->mesh};
     resolve_all(threemf);
-    if (!count_all(&writer) || !walk_all(&writer, prepare_object)) {
+    for (int i = 0; i < BURNISH_THREEMF_PLATES; ++i) {
+        for (int k = 0; k < 2; ++k) {
+            threemf->plate_boxes[i][0][k] = DBL_MAX;
+            threemf->plate_boxes[i][1][k] = -DBL_MAX;
+        }
+    }
+    if (!burnish_threemf_choose_plates(threemf) || !burnish_threemf_use_filaments(threemf) ||
+        !burnish_threemf_count(threemf) || !walk_all(&writer, prepare_object)) {
+        return 0;
+    }
+    burnish_threemf_place_plates(threemf);
+    if (writer.triangles == 0) {
+        threemf->is_empty = 1;
+        threemf->status = burnish_reader_fail(threemf->reader, BURNISH_STATUS_FORMAT, NULL,
+                                              "no triangles are built; export the model's meshes");
         return 0;
     }
     if (writer.vertices > BURNISH_VALUE_LIMIT) {

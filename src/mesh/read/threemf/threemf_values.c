@@ -155,6 +155,22 @@ static uint32_t use_bases(burnish_threemf *threemf, const burnish_threemf_group 
     return first;
 }
 
+/* ---- Filaments ---- */
+
+uint32_t burnish_threemf_filament(const burnish_threemf *threemf, uint32_t number) {
+    const size_t count = threemf->filaments.count;
+    return number > 0 && number <= count ? number : count > 0;
+}
+
+int burnish_threemf_use_filaments(burnish_threemf *threemf) {
+    for (size_t i = 0; i < threemf->filaments.count; ++i) {
+        if (add_material(threemf, material_of_color(threemf->filaments.items[i].srgb)) == 0) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 /* ---- Textures ---- */
 
 /* The texture's number in the mesh, decoded at its first use; 0: it can't be loaded. */
@@ -286,7 +302,7 @@ int burnish_threemf_use_values(burnish_threemf *threemf, const burnish_threemf_o
             resolve_triangle(threemf, object, group, triangle);
         }
         is_fine = triangle->group == BURNISH_THREEMF_NONE
-                      ? use_plain(threemf) != 0
+                      ? threemf->filaments.count > 0 || use_plain(threemf) != 0
                       : use_group(threemf, &threemf->groups.items[triangle->group]);
     }
     if (threemf->status == BURNISH_STATUS_OK) {

@@ -33,7 +33,13 @@ typedef enum burnish_threemf_element {
     BURNISH_THREEMF_COMPONENTS,
     BURNISH_THREEMF_COMPONENT,
     BURNISH_THREEMF_BUILD,
-    BURNISH_THREEMF_ITEM
+    BURNISH_THREEMF_ITEM,
+    BURNISH_THREEMF_CONFIG, /* and below: of threemf_project.c */
+    BURNISH_THREEMF_CONFIG_OBJECT,
+    BURNISH_THREEMF_CONFIG_VOLUME,
+    BURNISH_THREEMF_CONFIG_PLATE,
+    BURNISH_THREEMF_CONFIG_INSTANCE,
+    BURNISH_THREEMF_CONFIG_VALUE
 } burnish_threemf_element;
 
 typedef struct burnish_threemf_xml burnish_threemf_xml;

@@ -1,0 +1,100 @@
+/* The plates of a print project. Files place them side by side at a distance of their size and a
+ * fifth (PartPlate.cpp of Bambu Studio); several are drawn closer together. */
+#include "mesh/read/threemf/threemf.h"
+
+#if BURNISH_HAS_3MF
+
+#define STRIDE 1.2 /* from plate to plate, in sizes of one */
+#define GAP 0.25   /* between drawn plates, as a part of the longest side of what is on one */
+
+/* Columns of a grid of plates. */
+static size_t columns_of(size_t count) {
+    size_t columns = 1;
+    while (columns * columns < count) {
+        ++columns;
+    }
+    return columns;
+}
+
+/* The plate at a position, for an item that none lists. NONE: beside them. */
+static uint32_t plate_at(const burnish_threemf *threemf, const double matrix[12]) {
+    const size_t count = threemf->plates.count, columns = columns_of(count);
+    double at[2];
+    for (int k = 0; k < 2; ++k) {
+        const double low = (double)threemf->bed[0][k], size = (double)threemf->bed[1][k] - low;
+        at[k] = size > 0 ? (matrix[4 * k + 3] - low) / (STRIDE * size) : 0;
+        if (!(at[k] > -1024 && at[k] < 1024)) {
+            return BURNISH_THREEMF_NONE;
+        }
+        at[k] += 1024; /* rounds down */
+    }
+    const int64_t column = (int64_t)at[0] - 1024, row = 1024 - (int64_t)at[1];
+    return column >= 0 && column < (int64_t)columns && row >= 0 &&
+                   row * (int64_t)columns + column < (int64_t)count
+               ? (uint32_t)(row * (int64_t)columns + column)
+               : BURNISH_THREEMF_NONE;
+}
+
+static int has_plate(const burnish_threemf *threemf, int number) {
+    for (size_t i = 0; i < threemf->plates.count; ++i) {
+        if (threemf->plates.items[i].number == number) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+int burnish_threemf_choose_plates(burnish_threemf *threemf) {
+    const int wanted = threemf->reader->input->options->plate;
+    const size_t count = threemf->plates.count;
+    for (size_t i = 0; i < threemf->items.count && count > 0; ++i) {
+        burnish_threemf_placement *item = &threemf->items.items[i];
+        if (item->plate == BURNISH_THREEMF_NONE) {
+            item->plate = count > 1 ? plate_at(threemf, item->matrix) : 0;
+        }
+        if (item->plate == BURNISH_THREEMF_NONE) {
+            item->is_unprinted = 1;
+        }
+        if (wanted > 0 && (item->plate == BURNISH_THREEMF_NONE ||
+                           threemf->plates.items[item->plate].number != wanted)) {
+            item->object = BURNISH_THREEMF_NONE;
+        }
+    }
+    if (wanted > 0 && count > 0 && !has_plate(threemf, wanted)) {
+        threemf->status = burnish_reader_fail(threemf->reader, BURNISH_STATUS_ARGUMENT, NULL,
+                                              "plate %d does not exist; its plates are %d to %d",
+                                              wanted, threemf->plates.items[0].number,
+                                              threemf->plates.items[count - 1].number);
+    }
+    return threemf->status == BURNISH_STATUS_OK;
+}
+
+static int is_used(const burnish_threemf *threemf, size_t plate) {
+    return threemf->plate_boxes[plate][0][0] <= threemf->plate_boxes[plate][1][0];
+}
+
+void burnish_threemf_place_plates(burnish_threemf *threemf) {
+    double size[2] = {0, 0}, first[2] = {0, 0}; /* of a cell; the middle of the first plate */
+    size_t used = 0, cell = 0;
+    for (size_t i = 0; i < threemf->plates.count; ++i) {
+        double(*box)[2] = threemf->plate_boxes[i];
+        for (int k = 0; k < 2 && is_used(threemf, i); ++k) {
+            size[k] = box[1][k] - box[0][k] > size[k] ? box[1][k] - box[0][k] : size[k];
+            first[k] = used == 0 ? (box[0][k] + box[1][k]) / 2 : first[k];
+        }
+        used += (size_t)is_used(threemf, i);
+    }
+    const size_t columns = columns_of(used);
+    const double gap = GAP * (size[0] > size[1] ? size[0] : size[1]);
+    for (size_t i = 0; i < threemf->plates.count; ++i) {
+        double(*box)[2] = threemf->plate_boxes[i];
+        const double at[2] = {(double)(cell % columns), -(double)(cell / columns)};
+        for (int k = 0; k < 2 && is_used(threemf, i); ++k) { /* rows go toward the viewer */
+            threemf->plates.items[i].shift[k] =
+                first[k] + at[k] * (size[k] + gap) - (box[0][k] + box[1][k]) / 2;
+        }
+        cell += (size_t)is_used(threemf, i);
+    }
+}
+
+#endif
