@@ -80,9 +80,10 @@ async function drawBoth(inputs, view, width, height) {
     for (const input of inputs) {
       meshes.push(await open(input, meshes[0] && { up: meshes[0].up }));
     }
-    const framed = meshes.map((mesh) => mesh.render({ resolution: [width, height], samples: 1, look: "plain", views: view }).camera);
+    const direction = view ? { views: view } : { elevation: 0 }; // the same for flat objects and others
+    const framed = meshes.map((mesh) => mesh.render({ resolution: [width, height], samples: 1, look: "plain", ...direction }).camera);
     const camera = cameraOfBoth(framed, width / height);
-    return meshes.map((mesh) => mesh.render({ ...camera, resolution: [width, height] }));
+    return meshes.map((mesh) => mesh.render({ ...camera, resolution: [width, height], ground: false }));
   } finally {
     meshes.forEach((mesh) => mesh.close());
   }

@@ -57,6 +57,6 @@ if readelf -d picture | grep 'NEEDED' | grep -vE 'lib(c|m|pthread)\.so|ld-linux'
 fi
 for input in triangle.stl :teapot "$source/test/data/cube.obj" "$source/test/data/colors.ply"; do
     ./picture "$input" own.png
-    "$burnish" render "$input" -o program.png
+    "$burnish" render "$input" --no-ground -o program.png
     "$burnish" compare own.png program.png >compared || { echo "embed: another picture of $input"; cat compared; exit 1; }
 done

@@ -22,7 +22,7 @@ mv "$scratch/staged/opt/burnish" "$scratch/moved"
 libdir=$(dirname "$(find "$scratch/moved" -name libburnish.a)")
 export PKG_CONFIG_PATH="$libdir/pkgconfig"
 export LD_LIBRARY_PATH="$libdir"
-"$scratch/moved/bin/burnish" render :teapot -o "$scratch/expected.png" || fail "the installed program"
+"$scratch/moved/bin/burnish" render :teapot --no-ground -o "$scratch/expected.png" || fail "the installed program"
 if [ -e "$build/burnish-import-draco" ]; then
     "$scratch/moved/bin/burnish" "$source/test/importers/ring.glb" "$scratch/ring.png" --strict --sandbox || fail "the installed decoder of Draco"
 fi
