@@ -182,16 +182,22 @@ static void check_material(const burnish_material *material) {
     }
 }
 
-static void check_mesh(const burnish_mesh_view *mesh) {
+static void check_mesh(const burnish_mesh *loaded) {
+    const burnish_mesh_view *mesh = burnish_mesh_get_view(loaded);
+    float low[3], high[3];
+    burnish_mesh_get_bounds(loaded, low, high);
+    for (int k = 0; k < 3; ++k) { /* without strays, or with the rods of lines */
+        low[k] = fminf(low[k], mesh->bounds_min[k]);
+        high[k] = fmaxf(high[k], mesh->bounds_max[k]);
+    }
     require(mesh->triangle_count >= 1 ? mesh->vertex_count >= 3
                                       : mesh->vertex_count >= 1 && mesh->point_radius > 0,
             "counts", NULL);
     const int is_cloud = mesh->triangle_count == 0;
     for (size_t i = 0; i < 3 * mesh->vertex_count; ++i) {
         require(mesh->positions[i] >= -FLT_MAX && mesh->positions[i] <= FLT_MAX, "position", NULL);
-        require(is_cloud || (mesh->positions[i] >= mesh->bounds_min[i % 3] &&
-                             mesh->positions[i] <= mesh->bounds_max[i % 3]),
-                "bounds", NULL);
+        require(mesh->positions[i] >= low[i % 3] && mesh->positions[i] <= high[i % 3], "bounds",
+                NULL);
     }
     for (size_t i = 0; i < mesh->vertex_count; ++i) {
         const float *n = mesh->normals + 3 * i;
@@ -207,7 +213,7 @@ static void check_mesh(const burnish_mesh_view *mesh) {
 static void check_scene(const burnish_mesh *scene) {
     const burnish_mesh_view *mesh = burnish_mesh_get_view(scene);
     size_t materials = burnish_mesh_get_material_count(scene);
-    check_mesh(mesh);
+    check_mesh(scene);
     require(materials >= 1, "no material", NULL);
     require(mesh->triangle_count > 0 || burnish_mesh_get_texture_count(scene) == 0,
             "textures of points", NULL);

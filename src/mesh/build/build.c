@@ -90,25 +90,23 @@ static void describe_mesh(burnish_builder *b) {
     burnish_mesh_update_view(b->mesh);
 }
 
-/* Strays are drawn but not framed. */
+/* Strays are not framed. */
 static void note_strays(burnish_builder *b) {
-    burnish_mesh *mesh = b->mesh;
-    size_t first = 0;
+    float p[3];
+    const double *origin = b->data->origin;
     const size_t strays =
         b->data->point_count + b->data->line_count > 0
             ? 0
-            : burnish_find_strays(mesh, b->data->inner_min, b->data->inner_max, &first);
+            : burnish_find_strays(b->mesh, b->data->inner_min, b->data->inner_max, p);
     if (strays > 0) {
-        const float *p = (const float *)mesh->attributes[BURNISH_POSITION] +
-                         3 * (size_t)mesh->indices[3 * first];
-        const double *origin = b->data->origin;
-        mesh->has_strays = 1;
         burnish_mesh_data_warn(
             b->data,
             "%s: %zu of %zu triangles are far from the others, near %g, %g, %g, so "
-            "the picture is framed without them; remove them, or set the camera",
+            "%s without them; remove them%s",
             burnish_show_name(b->name).text, strays, b->triangle_count, (double)p[0] + origin[0],
-            (double)p[1] + origin[1], (double)p[2] + origin[2]);
+            (double)p[1] + origin[1], (double)p[2] + origin[2],
+            b->mesh->has_strays ? "the picture is framed" : "the mesh is drawn",
+            b->mesh->has_strays ? ", or set the camera" : "");
     }
 }
 

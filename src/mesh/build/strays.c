@@ -2,6 +2,8 @@
  * or a forgotten part. They are not framed. */
 #include "mesh/build/strays.h"
 
+#include <string.h>
+
 #include "core/vec3.h"
 
 enum {
@@ -12,8 +14,10 @@ enum {
     FEW = 12,       /* vertices that may be strays, or ... */
     SHARE = 100     /* ... one of so many */
 };
-static const double AREA = 0.01;  /* of strays, at most, in that of the rest */
-static const double SPIKE = 1000; /* times the rest: strays may be connected to it */
+static const double AREA = 0.01; /* of strays, at most, in that of the rest */
+static const double DRAWN =
+    1000; /* times the rest: strays beyond it may be connected to it, and are
+                                     left out, as the floats of the raster's space would overflow */
 
 typedef struct box {
     float low[3], high[3];
@@ -114,7 +118,8 @@ static double area_of(const float *a, const float *b, const float *c) {
                                                   burnish_vec3_sub(burnish_vec3_loadf(c), from)));
 }
 
-/* The number of triangles outside the rest; 0 if they are no strays: too large, or connected to it.
+/* The number of triangles outside the rest; 0 if they are no strays: too large, too many, or connected
+ * to it.
  *   first  receives the first one */
 static size_t count_strays(const burnish_mesh *mesh, const box *rest, int may_touch,
                            size_t *first) {
@@ -139,10 +144,41 @@ static size_t count_strays(const burnish_mesh *mesh, const box *rest, int may_to
             return 0;
         }
     }
-    return areas[0] <= AREA * areas[1] || may_touch ? count : 0;
+    const int are_few = count <= mesh->view.triangle_count / 4 * 3;
+    return are_few && (areas[0] <= AREA * areas[1] || may_touch) ? count : 0;
 }
 
-size_t burnish_find_strays(const burnish_mesh *mesh, float low[3], float high[3], size_t *first) {
+/* Leaves out triangles outside the rest; their vertices, now unused, move into it. */
+static void drop_strays(burnish_mesh *mesh, const box *rest) {
+    float *positions = mesh->attributes[BURNISH_POSITION];
+    size_t kept = 0;
+    for (size_t i = 0; i < mesh->view.triangle_count; ++i) {
+        const uint32_t *corners = mesh->indices + 3 * i;
+        int inside = 0;
+        for (int k = 0; k < 3; ++k) {
+            inside += is_inside(rest, positions + 3 * (size_t)corners[k]);
+        }
+        if (inside < 3) {
+            continue;
+        }
+        memmove(mesh->indices + 3 * kept, corners, 3 * sizeof *corners);
+        if (mesh->triangle_materials) {
+            mesh->triangle_materials[kept] = mesh->triangle_materials[i];
+        }
+        if (mesh->triangle_parts) {
+            mesh->triangle_parts[kept] = mesh->triangle_parts[i];
+        }
+        ++kept;
+    }
+    mesh->view.triangle_count = kept;
+    for (size_t i = 0; i < mesh->view.vertex_count; ++i) {
+        if (!is_inside(rest, positions + 3 * i)) {
+            memcpy(positions + 3 * i, positions + 3 * (size_t)mesh->indices[0], 3 * sizeof(float));
+        }
+    }
+}
+
+size_t burnish_find_strays(burnish_mesh *mesh, float low[3], float high[3], float place[3]) {
     const size_t count = mesh->view.vertex_count, step = count / SAMPLES + 1;
     box all;
     burnish_bound_positions(mesh->attributes[BURNISH_POSITION], count, all.low, all.high);
@@ -153,11 +189,18 @@ size_t burnish_find_strays(const burnish_mesh *mesh, float low[3], float high[3]
     }
     const box rest = cut_strays(mesh, all, 1);
     const double left = longest_side(&rest);
+    size_t first = 0;
     const size_t strays =
-        left > 0 && left < size ? count_strays(mesh, &rest, size > SPIKE * left, first) : 0;
-    for (int k = 0; k < 3 && strays > 0; ++k) {
-        low[k] = rest.low[k];
-        high[k] = rest.high[k];
+        left > 0 && left < size ? count_strays(mesh, &rest, size > DRAWN * left, &first) : 0;
+    if (strays > 0) {
+        const float *p = mesh->attributes[BURNISH_POSITION];
+        memcpy(place, p + 3 * (size_t)mesh->indices[3 * first], 3 * sizeof *place);
+        memcpy(low, rest.low, sizeof rest.low);
+        memcpy(high, rest.high, sizeof rest.high);
+        mesh->has_strays = size <= DRAWN * left;
+    }
+    if (strays > 0 && !mesh->has_strays) {
+        drop_strays(mesh, &rest);
     }
     return strays;
 }
