@@ -386,7 +386,7 @@ static void put_triangle(const scene_writer *writer, burnish_mesh_data *mesh,
     const burnish_threemf *threemf = writer->threemf;
     const int is_drawn = mesh == writer->mesh;
     const uint32_t paint = triangle->paint <= threemf->filaments.count ? triangle->paint : 0;
-    const burnish_threemf_group *group = paint || triangle->group == BURNISH_THREEMF_NONE
+    const burnish_threemf_group *group = paint || triangle->group >= threemf->groups.count
                                              ? NULL
                                              : &threemf->groups.items[triangle->group];
     const int has_coordinates = group && group->kind == BURNISH_THREEMF_COORDINATES;
