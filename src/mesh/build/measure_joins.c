@@ -10,6 +10,7 @@
 #include <float.h>
 
 #include "mesh/build/measure.h"
+#include "mesh/data/box.h"
 
 /* An axis has at most 2^20 cells, and a free one at both ends: neighbours never wrap around. */
 enum { AXIS_BITS = 21 };
@@ -36,7 +37,7 @@ static const int rows[ROWS][2] = {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 0}};
 
 typedef struct joiner {
     const burnish_measured *m;
-    float low[3], high[3];
+    burnish_box box;
     double tolerance;
     candidate *items; /* all candidates, sorted; the leaders so far take the place of the first */
     size_t count, leaders;
@@ -52,8 +53,8 @@ static void bound_positions(void *context, size_t first, size_t end) {
     for (size_t i = first; i < end; ++i) {
         for (size_t k = 0; k < 3 && j->m->marks[i]; ++k) {
             const float value = j->m->positions[3 * i + k];
-            j->low[k] = value < j->low[k] ? value : j->low[k];
-            j->high[k] = value > j->high[k] ? value : j->high[k];
+            j->box.low[k] = value < j->box.low[k] ? value : j->box.low[k];
+            j->box.high[k] = value > j->box.high[k] ? value : j->box.high[k];
         }
     }
 }
@@ -67,7 +68,7 @@ static void list_candidates(void *context, size_t first, size_t end) {
             continue; /* vertices of no triangle are beyond the bounds */
         }
         for (size_t k = 0; k < 3; ++k) {
-            const double from = (double)j->m->positions[3 * i + k] - (double)j->low[k];
+            const double from = (double)j->m->positions[3 * i + k] - (double)j->box.low[k];
             cell = cell << AXIS_BITS | ((uint64_t)(from / j->tolerance) + 1);
         }
         j->items[j->count++] = (candidate){cell, (uint32_t)i};
@@ -132,20 +133,11 @@ static void join_corners(void *context, size_t first, size_t end) {
     }
 }
 
-static double longest_side(const joiner *j) {
-    double longest = 0;
-    for (int k = 0; k < 3; ++k) {
-        const double side = (double)j->high[k] - (double)j->low[k];
-        longest = side > longest ? side : longest;
-    }
-    return longest;
-}
-
 /* Every pass, each of which needs the one before. */
 static burnish_status join_all(joiner *j) {
     const burnish_measured *m = j->m;
     burnish_tasks_in_order(m->tasks, m->position_count, BURNISH_BUILD_STEP, bound_positions, j);
-    j->tolerance = longest_side(j) * BURNISH_JOIN_TOLERANCE;
+    j->tolerance = burnish_box_longest_side(&j->box) * BURNISH_JOIN_TOLERANCE;
     burnish_status status = burnish_tasks_check(m->tasks, m->memory->error);
     if (status != BURNISH_STATUS_OK || !(j->tolerance > 0)) {
         return status;
@@ -186,7 +178,7 @@ static burnish_status measure_joined(const joiner *j, burnish_mesh_facts *facts)
 burnish_status burnish_measure_joined_edges(const burnish_measured *m, burnish_mesh_facts *facts) {
     const char *what = "joining vertices";
     burnish_memory *memory = m->memory;
-    joiner j = {.m = m, .low = {FLT_MAX, FLT_MAX, FLT_MAX}, .high = {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
+    joiner j = {.m = m, .box = {{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}}};
     j.items = burnish_allocate(memory, m->position_count, sizeof *j.items, what);
     j.joined = burnish_allocate(memory, m->position_count, sizeof *j.joined, what);
     j.corners = burnish_allocate(memory, m->triangle_count, 3 * sizeof *j.corners, what);

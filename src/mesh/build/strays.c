@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/vec3.h"
+#include "mesh/data/box.h"
 
 enum {
     BINS = 64,      /* of the vertices along an axis */
@@ -15,43 +16,9 @@ enum {
     SHARE = 100     /* ... one of so many */
 };
 static const double AREA = 0.01; /* of strays, at most, in that of the rest */
-static const double DRAWN =
-    1000; /* times the rest: strays beyond it may be connected to it, and are
-                                     left out, as the floats of the raster's space would overflow */
-
-typedef struct box {
-    float low[3], high[3];
-} box;
-
-static int is_inside(const box *b, const float *p) {
-    return p[0] >= b->low[0] && p[0] <= b->high[0] && p[1] >= b->low[1] && p[1] <= b->high[1] &&
-           p[2] >= b->low[2] && p[2] <= b->high[2];
-}
-
-/* The box of every `step`-th vertex inside another. */
-static box bound(const burnish_mesh *mesh, const box *other, size_t step) {
-    const float *positions = mesh->attributes[BURNISH_POSITION];
-    box found = *other;
-    int is_first = 1;
-    for (size_t i = 0; i < mesh->view.vertex_count; i += step) {
-        const float *p = positions + 3 * i;
-        for (int k = 0; k < 3 && is_inside(other, p); ++k) {
-            found.low[k] = is_first || p[k] < found.low[k] ? p[k] : found.low[k];
-            found.high[k] = is_first || p[k] > found.high[k] ? p[k] : found.high[k];
-        }
-        is_first &= !is_inside(other, p);
-    }
-    return found;
-}
-
-static double longest_side(const box *b) {
-    double longest = 0;
-    for (int k = 0; k < 3; ++k) {
-        const double side = (double)b->high[k] - (double)b->low[k];
-        longest = side > longest ? side : longest;
-    }
-    return longest;
-}
+/* Times the rest: strays beyond it may be connected to it, and are left out, as the floats of the
+ * raster's space would overflow. */
+static const double DRAWN = 1000;
 
 /* The bins around the vertex in the middle up to an empty one on either side: [first, end). Returns
  * the number of vertices in the others. */
@@ -75,14 +42,14 @@ static size_t find_core(const size_t bins[BINS], int *first, int *end) {
 }
 
 /* Cuts strays along an axis off the box. Returns whether there are any. */
-static int cut_axis(const burnish_mesh *mesh, int axis, size_t step, box *rest) {
+static int cut_axis(const burnish_mesh *mesh, int axis, size_t step, burnish_box *rest) {
     const float *positions = mesh->attributes[BURNISH_POSITION];
     const double low = (double)rest->low[axis], side = (double)rest->high[axis] - low;
     size_t bins[BINS] = {0}, count = 0;
     int first, end;
     for (size_t i = 0; i < mesh->view.vertex_count; i += step) {
         const float *p = positions + 3 * i;
-        if (is_inside(rest, p)) {
+        if (burnish_box_holds(rest, p)) {
             const int bin = (int)(((double)p[axis] - low) / side * BINS);
             ++bins[bin < BINS ? bin : BINS - 1];
             ++count;
@@ -98,16 +65,19 @@ static int cut_axis(const burnish_mesh *mesh, int axis, size_t step, box *rest) 
 }
 
 /* The box without strays. */
-static box cut_strays(const burnish_mesh *mesh, box all, size_t step) {
+static burnish_box cut_strays(const burnish_mesh *mesh, burnish_box all, size_t step) {
     int was_cut = 1;
     for (int i = 0; i < TIMES && was_cut; ++i) {
-        const double longest = longest_side(&all);
+        const double longest = burnish_box_longest_side(&all);
         was_cut = 0;
         for (int axis = 0; axis < 3 && !was_cut; ++axis) {
             was_cut = (double)all.high[axis] - (double)all.low[axis] > longest / 4 &&
                       cut_axis(mesh, axis, step, &all);
         }
-        all = was_cut ? bound(mesh, &all, step) : all;
+        if (was_cut) {
+            burnish_box_inside(mesh->attributes[BURNISH_POSITION], mesh->view.vertex_count, step,
+                               &all, &all);
+        }
     }
     return all;
 }
@@ -118,28 +88,34 @@ static double area_of(const float *a, const float *b, const float *c) {
                                                   burnish_vec3_sub(burnish_vec3_loadf(c), from)));
 }
 
+static int corners_inside(const burnish_mesh *mesh, const burnish_box *rest, size_t triangle) {
+    const float *positions = mesh->attributes[BURNISH_POSITION];
+    int inside = 0;
+    for (int k = 0; k < 3; ++k) {
+        inside += burnish_box_holds(rest, positions + 3 * (size_t)mesh->indices[3 * triangle + k]);
+    }
+    return inside;
+}
+
 /* The number of triangles outside the rest; 0 if they are no strays: too large, too many, or connected
  * to it.
  *   first  receives the first one */
-static size_t count_strays(const burnish_mesh *mesh, const box *rest, int may_touch,
+static size_t count_strays(const burnish_mesh *mesh, const burnish_box *rest, int may_touch,
                            size_t *first) {
     const float *positions = mesh->attributes[BURNISH_POSITION];
     double areas[2] = {0, 0};
     size_t count = 0;
     for (size_t i = mesh->view.triangle_count; i-- > 0;) {
         const uint32_t *corners = mesh->indices + 3 * i;
-        const float *p[3];
-        int inside = 0;
-        for (int k = 0; k < 3; ++k) {
-            p[k] = positions + 3 * (size_t)corners[k];
-            inside += is_inside(rest, p[k]);
-        }
+        const int inside = corners_inside(mesh, rest, i);
         if (inside < 3) {
             ++count;
             *first = i;
         }
         if (inside == 0 || inside == 3) {
-            areas[inside / 3] += area_of(p[0], p[1], p[2]);
+            areas[inside / 3] +=
+                area_of(positions + 3 * (size_t)corners[0], positions + 3 * (size_t)corners[1],
+                        positions + 3 * (size_t)corners[2]);
         } else if (!may_touch) {
             return 0;
         }
@@ -149,19 +125,14 @@ static size_t count_strays(const burnish_mesh *mesh, const box *rest, int may_to
 }
 
 /* Leaves out triangles outside the rest; their vertices, now unused, move into it. */
-static void drop_strays(burnish_mesh *mesh, const box *rest) {
+static void drop_strays(burnish_mesh *mesh, const burnish_box *rest) {
     float *positions = mesh->attributes[BURNISH_POSITION];
     size_t kept = 0;
     for (size_t i = 0; i < mesh->view.triangle_count; ++i) {
-        const uint32_t *corners = mesh->indices + 3 * i;
-        int inside = 0;
-        for (int k = 0; k < 3; ++k) {
-            inside += is_inside(rest, positions + 3 * (size_t)corners[k]);
-        }
-        if (inside < 3) {
+        if (corners_inside(mesh, rest, i) < 3) {
             continue;
         }
-        memmove(mesh->indices + 3 * kept, corners, 3 * sizeof *corners);
+        memmove(mesh->indices + 3 * kept, mesh->indices + 3 * i, 3 * sizeof *mesh->indices);
         if (mesh->triangle_materials) {
             mesh->triangle_materials[kept] = mesh->triangle_materials[i];
         }
@@ -172,7 +143,7 @@ static void drop_strays(burnish_mesh *mesh, const box *rest) {
     }
     mesh->view.triangle_count = kept;
     for (size_t i = 0; i < mesh->view.vertex_count; ++i) {
-        if (!is_inside(rest, positions + 3 * i)) {
+        if (!burnish_box_holds(rest, positions + 3 * i)) {
             memcpy(positions + 3 * i, positions + 3 * (size_t)mesh->indices[0], 3 * sizeof(float));
         }
     }
@@ -180,15 +151,15 @@ static void drop_strays(burnish_mesh *mesh, const box *rest) {
 
 size_t burnish_find_strays(burnish_mesh *mesh, float low[3], float high[3], float place[3]) {
     const size_t count = mesh->view.vertex_count, step = count / SAMPLES + 1;
-    box all;
+    burnish_box all;
     burnish_bound_positions(mesh->attributes[BURNISH_POSITION], count, all.low, all.high);
-    const double size = longest_side(&all);
-    const box sampled = bound(mesh, &all, step), core = cut_strays(mesh, sampled, step);
-    if (!(size > 0) || longest_side(&core) > size * (CORE + 1) / BINS) {
+    const double size = burnish_box_longest_side(&all);
+    const burnish_box core = cut_strays(mesh, all, step);
+    if (!(size > 0) || burnish_box_longest_side(&core) > size * (CORE + 1) / BINS) {
         return 0;
     }
-    const box rest = cut_strays(mesh, all, 1);
-    const double left = longest_side(&rest);
+    const burnish_box rest = cut_strays(mesh, all, 1);
+    const double left = burnish_box_longest_side(&rest);
     size_t first = 0;
     const size_t strays =
         left > 0 && left < size ? count_strays(mesh, &rest, size > DRAWN * left, &first) : 0;

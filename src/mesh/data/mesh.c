@@ -8,6 +8,7 @@
 
 #include "base/context.h"
 #include "base/layout.h"
+#include "mesh/data/box.h"
 #include "mesh/data/material.h"
 
 /* burnish's grey, a satin plastic: tune it here and nowhere else. Colours are linear light. */
@@ -153,33 +154,20 @@ void burnish_bound_positions(const float *positions, size_t count, float low[3],
     }
 }
 
-/* The bounds of the positions in a box; keeps low and high if there are none. */
-static void bound_inside(const burnish_mesh_view *view, const float *least, const float *most,
-                         float low[3], float high[3]) {
-    int is_first = 1;
-    for (size_t i = 0; i < view->vertex_count; ++i) {
-        const float *p = view->positions + 3 * i;
-        if (!(p[0] >= least[0] && p[0] <= most[0] && p[1] >= least[1] && p[1] <= most[1] &&
-              p[2] >= least[2] && p[2] <= most[2])) {
-            continue;
-        }
-        for (int k = 0; k < 3; ++k) {
-            low[k] = is_first || p[k] < low[k] ? p[k] : low[k];
-            high[k] = is_first || p[k] > high[k] ? p[k] : high[k];
-        }
-        is_first = 0;
-    }
-}
-
 /* The bounds of a view of which not all is framed: of a point cloud, of the spheres that are. */
 static void bound_framed(burnish_mesh *mesh) {
     burnish_mesh_view *view = &mesh->view;
     memcpy(mesh->points_min, view->bounds_min, sizeof mesh->points_min);
     memcpy(mesh->points_max, view->bounds_max, sizeof mesh->points_max);
-    bound_inside(view, mesh->inner_min, mesh->inner_max, view->bounds_min, view->bounds_max);
+    burnish_box inner, box;
+    memcpy(inner.low, mesh->inner_min, sizeof inner.low);
+    memcpy(inner.high, mesh->inner_max, sizeof inner.high);
+    memcpy(box.low, view->bounds_min, sizeof box.low);
+    memcpy(box.high, view->bounds_max, sizeof box.high);
+    burnish_box_inside(view->positions, view->vertex_count, 1, &inner, &box);
     for (int k = 0; k < 3; ++k) { /* stays finite at the end of the range */
-        const float low = view->bounds_min[k] - view->point_radius;
-        const float high = view->bounds_max[k] + view->point_radius;
+        const float low = box.low[k] - view->point_radius;
+        const float high = box.high[k] + view->point_radius;
         view->bounds_min[k] = low < -FLT_MAX ? -FLT_MAX : low;
         view->bounds_max[k] = high > FLT_MAX ? FLT_MAX : high;
     }

@@ -147,7 +147,7 @@ typedef struct burnish_row_light {
     float rgb[3][BURNISH_BLOCK_ROW_PIXELS]; /* linear light, >= 0 */
 } burnish_row_light;
 
-/* ---- Sheen and clear coats (layers.c) ---- */
+/* ---- Sheen and clear coats (finishes.c) ---- */
 
 /* A frame's layers. Owned; all zero before the first frame. */
 typedef struct burnish_layering {

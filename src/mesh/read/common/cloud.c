@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "core/vec3.h"
+#include "mesh/data/mesh.h"
 
 enum {
     BOX_SAMPLES = 1 << 16,
@@ -20,36 +21,9 @@ enum {
 
 /* ---- Boxes ---- */
 
-double burnish_cloud_diagonal(const burnish_cloud_box *box) {
+double burnish_cloud_diagonal(const burnish_box *box) {
     return burnish_vec3_length(
         burnish_vec3_sub(burnish_vec3_loadf(box->high), burnish_vec3_loadf(box->low)));
-}
-
-static double longest_side(const burnish_cloud_box *box) {
-    double longest = 0;
-    for (int k = 0; k < 3; ++k) {
-        const double side = (double)box->high[k] - (double)box->low[k];
-        longest = side > longest ? side : longest;
-    }
-    return longest;
-}
-
-/* The box of the points inside `within`, NULL: of all. Returns how many there are. */
-static size_t box_points(const burnish_cloud *cloud, const burnish_cloud_box *within,
-                         burnish_cloud_box *box) {
-    size_t count = 0;
-    for (size_t i = 0; i < cloud->count; ++i) {
-        const float *p = cloud->positions + 3 * i;
-        if (within && !burnish_cloud_is_inside(within, p)) {
-            continue;
-        }
-        for (int k = 0; k < 3; ++k) {
-            box->low[k] = count == 0 || p[k] < box->low[k] ? p[k] : box->low[k];
-            box->high[k] = count == 0 || p[k] > box->high[k] ? p[k] : box->high[k];
-        }
-        ++count;
-    }
-    return count;
 }
 
 static int compare_floats(const void *a, const void *b) {
@@ -60,7 +34,7 @@ static int compare_floats(const void *a, const void *b) {
 /* The box of all points but the most extreme ones of each axis, one in `share` at either end, widened
  * on all sides by `wider` times its longest side. */
 static burnish_status trim_box(const burnish_cloud *cloud, size_t share, float wider,
-                               burnish_cloud_box *box, burnish_memory *memory) {
+                               burnish_box *box, burnish_memory *memory) {
     const size_t step = cloud->count / BOX_SAMPLES + 1, count = (cloud->count - 1) / step + 1;
     const size_t rest = count / share > 0 ? count / share : 1;
     float *values = burnish_allocate(memory, count, sizeof *values, "a sample of points");
@@ -76,7 +50,7 @@ static burnish_status trim_box(const burnish_cloud *cloud, size_t share, float w
         box->high[k] = values[count - 1 - rest];
     }
     burnish_release(memory->context, values);
-    const float margin = wider * (float)longest_side(box);
+    const float margin = wider * (float)burnish_box_longest_side(box);
     for (int k = 0; k < 3; ++k) {
         box->low[k] -= margin;
         box->high[k] += margin;
@@ -85,8 +59,8 @@ static burnish_status trim_box(const burnish_cloud *cloud, size_t share, float w
 }
 
 static burnish_status find_inner(burnish_cloud *cloud, burnish_memory *memory) {
-    burnish_cloud_box trimmed, inside;
-    box_points(cloud, NULL, &cloud->inner);
+    burnish_box trimmed, inside;
+    burnish_bound_positions(cloud->positions, cloud->count, cloud->inner.low, cloud->inner.high);
     cloud->outside = 0;
     if (cloud->count < OUTLIERS_LEAST) {
         return BURNISH_STATUS_OK;
@@ -96,7 +70,8 @@ static burnish_status find_inner(burnish_cloud *cloud, burnish_memory *memory) {
     }
     const double all = burnish_cloud_diagonal(&cloud->inner);
     if (all > DOMINATED * burnish_cloud_diagonal(&trimmed) / 2) { /* at most: the box is wider */
-        const size_t count = box_points(cloud, &trimmed, &inside);
+        const size_t count =
+            burnish_box_inside(cloud->positions, cloud->count, 1, &trimmed, &inside);
         const double diagonal = count > 0 ? burnish_cloud_diagonal(&inside) : 0;
         if (diagonal > 0 && all > DOMINATED * diagonal) {
             cloud->inner = inside;
@@ -130,10 +105,10 @@ static size_t cell_of(const grid *g, const float *p) {
 
 /* About as many cells as points, all cubes of one size. */
 static void size_grid(grid *g) {
-    const burnish_cloud_box *box = &g->cloud->inner;
+    const burnish_box *box = &g->cloud->inner;
     const size_t count = g->cloud->count;
     const double most = count < CELLS_MOST ? (double)count : CELLS_MOST;
-    const double longest = longest_side(box);
+    const double longest = burnish_box_longest_side(box);
     double along = 1; /* cells along the longest side: doubled while there are few enough */
     for (;; along *= 2) {
         double cells = 1;
@@ -234,7 +209,7 @@ static int is_stray(const grid *g, const float *p) {
 /* Takes strays out of the inner box, if they are few and it becomes clearly smaller. Only points
  * near the ends of an axis are tested. */
 static burnish_status drop_strays(burnish_cloud *cloud, const grid *g, burnish_memory *memory) {
-    burnish_cloud_box core, rest = {.low = {0}};
+    burnish_box core, rest = {.low = {0}};
     size_t strays = 0, kept = 0;
     if (cloud->count < STRAY_SHARE || !(cloud->spacing > 0) ||
         trim_box(cloud, STRAY_SHARE / 2, 0, &core, memory) != BURNISH_STATUS_OK) {
@@ -242,8 +217,8 @@ static burnish_status drop_strays(burnish_cloud *cloud, const grid *g, burnish_m
     }
     for (size_t i = 0; i < cloud->count && strays * STRAY_SHARE <= cloud->count; ++i) {
         const float *p = cloud->positions + 3 * i;
-        if (!burnish_cloud_is_inside(&cloud->inner, p) ||
-            (!burnish_cloud_is_inside(&core, p) && is_stray(g, p))) {
+        if (!burnish_box_holds(&cloud->inner, p) ||
+            (!burnish_box_holds(&core, p) && is_stray(g, p))) {
             ++strays;
             continue;
         }
@@ -267,7 +242,8 @@ burnish_status burnish_cloud_measure(burnish_cloud *cloud, burnish_memory *memor
     size_t samples = 0;
     cloud->spacing = cloud->wide = 0;
     cloud->order = NULL;
-    if (find_inner(cloud, memory) != BURNISH_STATUS_OK || !(longest_side(&cloud->inner) > 0)) {
+    if (find_inner(cloud, memory) != BURNISH_STATUS_OK ||
+        !(burnish_box_longest_side(&cloud->inner) > 0)) {
         return memory->status;
     }
     size_grid(&g);

@@ -5,26 +5,18 @@
 
 #include "base/memory.h"
 #include "core/tasks.h"
-
-typedef struct burnish_cloud_box {
-    float low[3], high[3];
-} burnish_cloud_box;
+#include "mesh/data/box.h"
 
 typedef struct burnish_cloud {
     const float *positions; /* 3 per point, finite */
     size_t count;           /* > 0 */
-    burnish_cloud_box inner;
+    burnish_box inner;
     size_t outside;  /* points outside the inner box */
     double spacing;  /* median distance to the 6th nearest point, or to the farthest of fewer */
     double wide;     /* the same, but three quarters are below it; 0: no two points are near */
     uint32_t *order; /* the points cell by cell of a grid, the caller's to release; NULL if spacing
                         is 0 */
 } burnish_cloud;
-
-static inline int burnish_cloud_is_inside(const burnish_cloud_box *box, const float p[3]) {
-    return p[0] >= box->low[0] && p[0] <= box->high[0] && p[1] >= box->low[1] &&
-           p[1] <= box->high[1] && p[2] >= box->low[2] && p[2] <= box->high[2];
-}
 
 /* Measures the points, positions and count being set.
  *
@@ -38,7 +30,7 @@ static inline int burnish_cloud_is_inside(const burnish_cloud_box *box, const fl
  * Errors: MEMORY. */
 burnish_status burnish_cloud_measure(burnish_cloud *cloud, burnish_memory *memory);
 
-double burnish_cloud_diagonal(const burnish_cloud_box *box);
+double burnish_cloud_diagonal(const burnish_box *box);
 
 /* ---- cloud_normals.c ---- */
 
