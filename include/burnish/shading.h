@@ -31,6 +31,9 @@ typedef enum burnish_texture_slot {
     BURNISH_TEXTURE_THICKNESS,          /* g multiplies thickness */
     BURNISH_TEXTURE_SHEEN_COLOR,        /* rgb multiplies sheen */
     BURNISH_TEXTURE_SHEEN_ROUGHNESS,    /* r multiplies sheen_roughness */
+    BURNISH_TEXTURE_SPECULAR_STRENGTH,  /* r multiplies what a dielectric reflects */
+    BURNISH_TEXTURE_ANISOTROPY,         /* 2 rg - 1: a direction that anisotropy turns; b
+                                           multiplies its length */
     BURNISH_TEXTURE_COAT,               /* r multiplies coat */
     BURNISH_TEXTURE_COAT_ROUGHNESS,     /* g multiplies coat_roughness */
     BURNISH_TEXTURE_COAT_NORMAL,        /* as NORMAL, for the coat, which ignores NORMAL */
@@ -95,6 +98,13 @@ typedef struct burnish_material {
     float metallic, roughness; /* [0, 1] */
     float reflectance[3];      /* of a dielectric at normal incidence: 0.04 for an index of
                                   refraction of 1.5 */
+    float edge_loss;           /* what a dielectric does not reflect at grazing angles, [0, 1]; 0:
+                                  it reflects all */
+
+    /* Of materials with is_metallic 1, in the lights of light.h: highlights are stretched along the
+     * surface. Cosine and sine of the angle from the direction in which u grows, times the strength,
+     * at most 1; 0, 0: they are not. Needs texture coordinates */
+    float anisotropy[2];
 
     /* Sheen of textiles over all of the above, as KHR_materials_sheen of glTF has it: a colour; 0, 0, 0:
      * none. [0, 1]; a roughness below 0.1 counts as 0.1 */

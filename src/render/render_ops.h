@@ -199,6 +199,15 @@ typedef struct burnish_render_ops {
     void (*vary_points)(const struct burnish_textured_material *material, unsigned sampled,
                         size_t count, struct burnish_texture_scratch *scratch);
 
+    /* Fills scratch->bent: normals bent toward the viewer along the direction of the material's
+     * anisotropy, unit vectors. In scratch are roughness and, if there is its texture, sample.
+     *   view     has the viewer
+     *   tangent  turn_normals' */
+    void (*bend_normals)(const struct burnish_kernels_shader *view,
+                         const struct burnish_textured_material *material,
+                         const struct burnish_kernels_points *points, const float *const *tangent,
+                         size_t count, struct burnish_texture_scratch *scratch);
+
     /* What passes through count points, in scratch: passed and transmission, which vary_points has
      * filled, reflectance, roughness and, if there is its texture, thickness. Fills passed with the
      * shares that pass, sample[0] to [2] with unit vectors along which refracted rays go, and

@@ -196,14 +196,16 @@ typedef struct environment_vectors {
     vf normal[3], axis[3], n_dot_v;
 } environment_vectors;
 
-/* is_tilted: the axis is moved toward the normal by alpha^2: rough surfaces reflect less from near
+/* bent: burnish_reflecting_points'.
+ * is_tilted: the axis is moved toward the normal by alpha^2: rough surfaces reflect less from near
  * the horizon (as three.js does). With nearness it is moved by nearness times where the point is from
  * the object's middle, toward what it meets on a sphere whose radius is 1 / nearness. */
 BURNISH_INLINE void environment_load(const burnish_environment_constants *constants,
-                                     const burnish_kernels_points *points, int is_tilted,
-                                     vf roughness, size_t i, environment_vectors *at) {
+                                     const burnish_kernels_points *points,
+                                     const float *const bent[3], int is_tilted, vf roughness,
+                                     size_t i, environment_vectors *at) {
     const vf one = vf_set(1.0f), two = vf_set(2.0f), alpha = vf_mul(roughness, roughness);
-    vf viewer[3];
+    vf viewer[3], mirror[3];
     for (int k = 0; k < 3; ++k) {
         at->normal[k] = vf_load(points->normal[k] + i);
         viewer[k] = vf_set(constants->viewer[k]);
@@ -220,10 +222,14 @@ BURNISH_INLINE void environment_load(const burnish_environment_constants *consta
     }
     at->n_dot_v = shade_dot(at->normal, viewer);
     for (int k = 0; k < 3; ++k) {
-        const vf mirrored = vf_sub(vf_mul(vf_mul(two, at->n_dot_v), at->normal[k]), viewer[k]);
+        mirror[k] = bent[0] ? vf_load(bent[k] + i) : at->normal[k];
+    }
+    const vf cosine = bent[0] ? shade_dot(mirror, viewer) : at->n_dot_v;
+    for (int k = 0; k < 3; ++k) {
+        const vf mirrored = vf_sub(vf_mul(vf_mul(two, cosine), mirror[k]), viewer[k]);
         at->axis[k] = mirrored;
         if (is_tilted) {
-            at->axis[k] = environment_mix(mirrored, at->normal[k], vf_mul(alpha, alpha));
+            at->axis[k] = environment_mix(mirrored, mirror[k], vf_mul(alpha, alpha));
         }
     }
     for (int k = 0; k < 3 && constants->nearness > 0; ++k) {
@@ -248,13 +254,15 @@ BURNISH_INLINE void environment_turn(const burnish_environment_constants *consta
 
 /* A vector of materials. */
 typedef struct environment_material {
-    vf diffuse[3], reflectance[3], roughness, open;
+    vf diffuse[3], reflectance[3], roughness, f90, open;
 } environment_material;
 
 BURNISH_INLINE void environment_material_at(const burnish_reflecting_material *material,
                                             const burnish_reflecting_points *each, size_t i,
                                             environment_material *at) {
     at->roughness = each->roughness ? vf_load(each->roughness + i) : vf_set(material->roughness);
+    at->f90 = vf_sub(vf_set(1.0f),
+                     each->edge_loss ? vf_load(each->edge_loss + i) : vf_set(material->edge_loss));
     at->open = each->open ? vf_load(each->open + i) : vf_set(1.0f);
     for (int k = 0; k < 3; ++k) {
         at->diffuse[k] = vf_set(material->diffuse[k]);
@@ -310,11 +318,12 @@ BURNISH_INLINE void environment_reflectance(const environment_material *material
     const vf one = vf_set(1.0f);
     vf lost, edge;
     environment_albedo(material->roughness, n_dot_v, &lost, &edge);
+    const vf most = vf_mul(material->f90, edge);
     for (int k = 0; k < 3; ++k) {
         const vf f = material->reflectance[k];
-        const vf mean = vf_add(f, vf_mul(vf_sub(one, f), vf_set(1.0f / 21.0f)));
+        const vf mean = vf_add(f, vf_mul(vf_sub(material->f90, f), vf_set(1.0f / 21.0f)));
         const vf back = vf_mul(lost, mean);
-        once[k] = vf_add(vf_mul(f, vf_sub(vf_sub(one, lost), edge)), edge);
+        once[k] = vf_add(vf_mul(f, vf_sub(vf_sub(one, lost), edge)), most);
         again[k] = vf_div(vf_mul(once[k], back), vf_sub(one, back));
     }
 }
@@ -366,7 +375,8 @@ BURNISH_INLINE void environment_vector(const burnish_environment_constants *cons
     vf diffuse[3] = {zero, zero, zero}, specular[3] = {zero, zero, zero};
     vf once[3] = {zero, zero, zero}, again[3] = {zero, zero, zero};
     environment_material_at(material, each, i, &surface);
-    environment_load(constants, points, material->is_metallic, surface.roughness, i, &at);
+    environment_load(constants, points, each->bent, material->is_metallic, surface.roughness, i,
+                     &at);
     if (constants->diffuse) {
         environment_turn(constants, at.normal);
         const environment_place place = environment_find(at.normal);
@@ -468,11 +478,12 @@ static void reflect_points(const burnish_environment_constants *constants,
                            const burnish_reflecting_material *material,
                            const burnish_kernels_points *points, const float *roughness,
                            size_t count, float *const axis[3], float *const stretch[3]) {
+    const float *const none[3] = {NULL, NULL, NULL};
     for (size_t i = 0; i < count; i += LANES) {
         environment_vectors at;
         vf wide[3];
         const vf r = roughness ? vf_load(roughness + i) : vf_set(material->roughness);
-        environment_load(constants, points, material->is_metallic && !stretch, r, i, &at);
+        environment_load(constants, points, none, material->is_metallic && !stretch, r, i, &at);
         if (stretch) {
             environment_lean(&at, r, wide);
         }

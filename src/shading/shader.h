@@ -95,6 +95,7 @@ typedef struct burnish_environment_constants {
 
 typedef struct burnish_reflecting_material {
     float diffuse[3], reflectance[3], roughness; /* kd, F0, sqrt(alpha) */
+    float edge_loss;                             /* 1 - F90 */
     int reflects;                                /* 0: only kd */
     int is_metallic;                   /* 1: metallic-roughness: kd is what is not reflected */
     int has_levels;                    /* 1: `specular` is BURNISH_LIGHT_LEVELS maps */
@@ -104,8 +105,9 @@ typedef struct burnish_reflecting_material {
 /* Arrays of points that differ from their material; NULL: they do not. */
 typedef struct burnish_reflecting_points {
     const float *diffuse[3]; /* factors */
-    const float *reflectance[3], *roughness;
-    const float *open;                               /* share of the light that arrives */
+    const float *reflectance[3], *roughness, *edge_loss;
+    const float *bent[3]; /* unit vectors that directions are mirrored at instead of N */
+    const float *open;    /* share of the light that arrives */
     const float *near_diffuse[3], *near_specular[3]; /* light of near lights: added to D and Spec */
 } burnish_reflecting_points;
 

@@ -21,16 +21,12 @@ static double coat_direct(const vec v, const vec l, double a) {
     return l[2] > 0 ? schlick(0.04, dot(h, v)) * a / (d * d) * 0.5 / visible * l[2] : 0;
 }
 
-/* What a whole coat reflects. */
-static double coat_light(int light, const vec position, const vec normal, double roughness) {
-    const double alpha = fmax(roughness * roughness, 1e-3);
+/* What GGX reflects once of a light, with Fresnel's term at normal incidence and at the edge. */
+static double gloss_light(int light, const vec position, const vec normal, double alpha, double f0,
+                          double f90) {
     double sum = 0;
     vec axes[3], v, m, l;
-    make_frame(normal, toward_light, axes, l);
     make_frame(normal, toward_viewer, axes, v);
-    if (light == DIRECT) {
-        return coat_direct(v, l, alpha * alpha);
-    }
     for (int i = 0; i < STEPS * STEPS; ++i) {
         visible_normal(v, alpha, (i / STEPS + drawn()) / STEPS, (i % STEPS + drawn()) / STEPS, m);
         const double cosine = dot(v, m);
@@ -39,10 +35,21 @@ static double coat_light(int light, const vec position, const vec normal, double
         }
         if (l[2] > 0) {
             const double to_v = 1 + smith(v, alpha), share = to_v / (to_v + smith(l, alpha));
-            sum += schlick(0.04, cosine) * share * local_radiance(light, position, axes, l);
+            sum += (f0 + (f90 - f0) * schlick(0, cosine)) * share *
+                   local_radiance(light, position, axes, l);
         }
     }
     return sum / (STEPS * STEPS);
+}
+
+/* What a whole coat reflects. */
+static double coat_light(int light, const vec position, const vec normal, double roughness) {
+    const double alpha = fmax(roughness * roughness, 1e-3);
+    vec axes[3], v, l;
+    make_frame(normal, toward_light, axes, l);
+    make_frame(normal, toward_viewer, axes, v);
+    return light == DIRECT ? coat_direct(v, l, alpha * alpha)
+                           : gloss_light(light, position, normal, alpha, 0.04, 1);
 }
 
 /* ---- Pictures ---- */
@@ -102,11 +109,67 @@ static double sheen_light(int light, const vec position, const vec normal, doubl
     return sum;
 }
 
+/* ---- Anisotropy: GGX around normals that are bent in the plane of N and the direction, toward V ---- */
+
+/* Of a strength of 0.6 and a direction 30 degrees from that of u in make_brushed()'s shapes. */
+static double brushed_light(int light, const vec position, const vec normal, double roughness) {
+    const double share = pow(1 - 0.6 * (1 - roughness), 4), up = dot(normal, toward_viewer);
+    vec t = {normal[2], 0, -normal[0]}, b, bent;
+    normalize(t);
+    cross(normal, t, b);
+    const double along =
+        cos(M_PI / 6) * dot(t, toward_viewer) + sin(M_PI / 6) * dot(b, toward_viewer);
+    for (int k = 0; k < 3; ++k) {
+        const double direction = cos(M_PI / 6) * t[k] + sin(M_PI / 6) * b[k];
+        const double full = (up * normal[k] + along * direction) / hypot(up, along);
+        bent[k] = full + share * (normal[k] - full);
+    }
+    normalize(bent);
+    return gloss_light(light, position, bent, roughness * roughness, 0.5, 0.5);
+}
+
+/* Numbers, or a texture of -60 degrees that is turned by 90. */
+static void brush(int is_textured, float roughness, burnish_material *material) {
+    material->roughness = roughness;
+    material->anisotropy[0] = is_textured ? 0 : 0.6f * (float)cos(M_PI / 6);
+    material->anisotropy[1] = is_textured ? 1 : 0.6f * (float)sin(M_PI / 6);
+    material->textures[BURNISH_TEXTURE_ANISOTROPY].texture = is_textured;
+    material->edge_loss = 0.5f;
+    set_three(material->reflectance, 0.5f);
+    set_three(material->diffuse, 0);
+}
+
+/* A shape whose u is x and whose v is y, with tangents. */
+static burnish_mesh *make_brushed(burnish_mesh *shape) {
+    const burnish_mesh_view *view = burnish_mesh_get_view(shape);
+    static const uint8_t texel[4] = {191, 17, 153, 255};
+    const burnish_texture texture = {NULL, 1, 1, texel, 0};
+    burnish_material material = base_material();
+    float *coordinates = malloc(2 * view->vertex_count * sizeof *coordinates);
+    for (size_t i = 0; i < 2 * view->vertex_count; ++i) {
+        coordinates[i] = view->positions[3 * (i / 2) + i % 2];
+    }
+    burnish_mesh_description arrays =
+        describe_arrays(view->positions, view->normals, NULL, view->vertex_count, view->indices,
+                        view->triangle_count);
+    brush(1, 0, &material);
+    give_textures(&arrays, coordinates, &texture, 1);
+    give_materials(&arrays, &material, 1);
+    burnish_mesh *mesh = create_mesh(&arrays, NULL);
+    burnish_mesh_destroy(shape);
+    free(coordinates);
+    return mesh;
+}
+
 /* What a layer reflects, and what it leaves of the light below it. */
 static double layer_light(const burnish_material *layered, int light, const vec position,
                           const vec normal, double *below) {
     const double coat = (double)layered->coat, sheen = (double)layered->sheen[0];
     double albedo;
+    if (layered->anisotropy[1] > 0) {
+        *below = 0;
+        return brushed_light(light, position, normal, (double)layered->roughness);
+    }
     if (coat > 0) {
         *below = 1 - coat * schlick(0.04, dot(normal, toward_viewer));
         return coat * coat_light(light, position, normal, (double)layered->coat_roughness);
@@ -120,7 +183,9 @@ static double layer_light(const burnish_material *layered, int light, const vec 
 /* Draws a mesh without and with a layer; errors of the second picture, and of the first. */
 static void compare_layer(burnish_mesh *mesh, const burnish_render_options *options, int light,
                           const burnish_material *layered, errors e[2]) {
-    const burnish_material base = base_material();
+    burnish_material base = *layered;
+    memset(base.anisotropy, 0, sizeof base.anisotropy);
+    set_three(base.sheen, base.coat = 0);
     set_material(mesh, &base);
     draw_floats(mesh, options, plain[0][0], NULL);
     set_material(mesh, layered);
@@ -141,31 +206,35 @@ static void compare_layer(burnish_mesh *mesh, const burnish_render_options *opti
     }
 }
 
-/* One kind of layer, of four roughnesses, each with the most that its errors may be. A coat of
+/* Coats, sheen or anisotropy of four roughnesses, each with the most that its errors may be. A coat of
  * roughness 0 under a directional light has a highlight within a pixel. */
-static void test_layer(burnish_mesh *const meshes[SHAPES], int light, int is_sheen,
+static void test_layer(burnish_mesh *const meshes[SHAPES], int light, int kind,
                        burnish_environment *environment) {
-    static const float roughnesses[2][4] = {{0, 0.1f, 0.3f, 0.6f}, {0.2f, 0.4f, 0.7f, 1}};
-    static const double most[2][2][4] = {{{3, 1.5, 0.5, 1}, {6, 8, 4.5, 3}},
+    static const float roughnesses[3][4] = {
+        {0, 0.1f, 0.3f, 0.6f}, {0.2f, 0.4f, 0.7f, 1}, {0.1f, 0.3f, 0.4f, 0.5f}};
+    static const double most[2][3][4] = {{{3, 1.5, 0.5, 1}, {6, 8, 4.5, 3}, {8, 8, 8, 8}},
                                          {{255, 4, 2, 4}, {0.3, 0.3, 0.3, 0.3}}};
+    static const char *const names[3] = {"coat", "sheen", "anisotropy"};
     const burnish_render_options options = scene_options(light, environment);
     for (int i = 0; i < 4; ++i) {
         errors e[2] = {{0}};
         burnish_material layered = base_material();
-        layered.coat = is_sheen ? 0 : 0.8f;
-        set_three(layered.sheen, is_sheen ? 0.6f : 0);
-        layered.coat_roughness = layered.sheen_roughness = roughnesses[is_sheen][i];
+        layered.coat = kind == 0 ? 0.8f : 0;
+        set_three(layered.sheen, kind == 1 ? 0.6f : 0);
+        layered.coat_roughness = layered.sheen_roughness = roughnesses[kind][i];
+        if (kind == 2) {
+            brush(i % 2, roughnesses[kind][i], &layered);
+        }
         for (int shape = 0; shape < SHAPES; ++shape) {
             compare_layer(meshes[shape], &options, light, &layered, e);
         }
         const double rms = sqrt(e[0].squares / e[0].count), bias = e[0].sum / e[0].count;
         const double without = sqrt(e[1].squares / e[1].count);
         printf("  %s, light %d, roughness %.1f: RMS %.1f, bias %+.1f of 255; without %.1f\n",
-               is_sheen ? "sheen" : "coat", light, (double)roughnesses[is_sheen][i], rms, bias,
-               without);
-        CHECK(e[0].count > 300 && rms < most[light == DIRECT][is_sheen][i] && fabs(bias) < 5 &&
+               names[kind], light, (double)roughnesses[kind][i], rms, bias, without);
+        CHECK(e[0].count > 300 && rms < most[light == DIRECT][kind][i] && fabs(bias) < 5 &&
                   rms < 0.9 * without,
-              "sheen %d, light %d, case %d: %g, %g, %g", is_sheen, light, i, rms, bias, without);
+              "%s, light %d, case %d: %g, %g, %g", names[kind], light, i, rms, bias, without);
     }
 }
 
@@ -225,7 +294,14 @@ static void test_layer_textures(void) {
     textured.textures[BURNISH_TEXTURE_COAT_ROUGHNESS] = uses[0];
     CHECK1(differ(&numbers, &textured, &most) < 3e-4 && most > 0.1);
 
-    numbers.coat = textured.coat = 0;
+    numbers = textured = base_material();
+    set_three(numbers.reflectance, 0.5f * 128 / 255);
+    set_three(textured.reflectance, 0.5f);
+    numbers.edge_loss = 1 - 128.0f / 255;
+    textured.textures[BURNISH_TEXTURE_SPECULAR_STRENGTH] = uses[0];
+    CHECK1(differ(&numbers, &textured, &most) < 3e-4 && most > 0.1);
+
+    numbers = textured = base_material();
     set_three(numbers.sheen, 0.6f * 128 / 255);
     set_three(textured.sheen, 0.6f);
     numbers.sheen_roughness = 0.8f * 87 / 255;
@@ -255,9 +331,15 @@ int main(int count, char **arguments) {
     seed = test_seed(6);
     burnish_environment *environment = make_room();
     make_shapes(meshes);
+    for (int i = 0; i < SHAPES; ++i) {
+        meshes[i] = make_brushed(meshes[i]);
+    }
     for (int light = 0; light <= DIRECT; ++light) {
         RUN(test_layer(meshes, light, 0, environment));
         RUN(test_layer(meshes, light, 1, environment));
+        if (light < LIGHTS) {
+            RUN(test_layer(meshes, light, 2, environment));
+        }
     }
     RUN(test_layer_textures());
     burnish_environment_destroy(environment);

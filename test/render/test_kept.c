@@ -67,6 +67,7 @@ static burnish_material random_material(int textures) {
     material.coat = chance(20) ? (float)uniform(0, 1) : 0;
     material.coat_roughness = material.sheen_roughness = (float)uniform(0, 1);
     material.sheen[1] = chance(10) ? (float)uniform(0, 1) : 0;
+    material.anisotropy[0] = chance(10) ? (float)uniform(-1, 1) : 0;
     material.is_unlit = chance(10);
     material.transmission = chance(30) ? (float)uniform(0, 1) : 0;
     material.thickness = chance(50) ? (float)uniform(0, 1) : 0;

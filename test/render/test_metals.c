@@ -128,7 +128,8 @@ static void albedo(double alpha, double n_dot_v, double out[2]) {
     }
 }
 
-/* F0 A + B of the kernels for F0 of 1 and 0: what a black Phong material shows of uniform light. */
+/* F0 A + F90 B of the kernels for 1 and 1, 0 and 1, 0 and 1/4: what a black Phong material shows of
+ * uniform light. */
 static void test_albedo(void) {
     static float ones[2 * 10 * 10 * 4];
     const burnish_light_map map = {.size = 8, .texels = ones};
@@ -138,9 +139,10 @@ static void test_albedo(void) {
     }
     for (int i = 0; i < 11 * 20; ++i) {
         const double roughness = fmax(i / 20 / 10.0, 0.01), n_dot_v = 0.05 * (i % 20 + 1);
-        double should[2];
+        double should[3];
         albedo(roughness * roughness, n_dot_v, should);
-        for (int k = 0; k < 2; ++k) {
+        should[2] = 0.25 * should[1];
+        for (int k = 0; k < 3; ++k) {
             const burnish_environment_constants constants = {
                 .viewer = {(float)sqrt(1 - n_dot_v * n_dot_v), 0, (float)n_dot_v},
                 .axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
@@ -148,6 +150,7 @@ static void test_albedo(void) {
             const float f0 = k == 0;
             const burnish_reflecting_material material = {.reflectance = {f0, f0, f0},
                                                           .roughness = (float)roughness,
+                                                          .edge_loss = k == 2 ? 0.75f : 0,
                                                           .reflects = 1,
                                                           .specular = &map};
             float normal[3][16] = {{0}}, rgb[3][16] = {{0}};
@@ -158,7 +161,7 @@ static void test_albedo(void) {
             burnish_kernels_best()->add_environment(&constants, &material, &points,
                                                     &(burnish_reflecting_points){.open = NULL}, 1,
                                                     (float *const[3]){rgb[0], rgb[1], rgb[2]});
-            worst[k] = fmax(worst[k], fabs((double)rgb[1][0] - should[k]));
+            worst[k > 0] = fmax(worst[k > 0], fabs((double)rgb[1][0] - should[k]));
         }
     }
     printf("albedo: at most %.4f and %.4f away\n", worst[0], worst[1]);

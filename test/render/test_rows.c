@@ -87,6 +87,7 @@ static burnish_mesh *make_textured(int kind) {
     material.is_metallic = (kind & METALLIC) != 0;
     material.metallic = material.roughness = 1;
     material.coat = material.sheen[0] = kind & EVERY_SLOT ? 0.5f : 0;
+    material.anisotropy[1] = material.edge_loss = kind & EVERY_SLOT ? 0.5f : 0;
     material.transmission = material.thickness = material.attenuation_distance =
         kind & EVERY_SLOT ? 0.8f : 0;
     give_textures(&arrays, coordinates, textures, (size_t)slots);

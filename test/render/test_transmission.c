@@ -8,7 +8,7 @@
 static const float tint[3] = {0.9f, 0.5f, 0.2f}, absorbed[3] = {0.8f, 0.1f, 0.5f};
 
 static double fresnel(double f0, double cosine) {
-    return f0 + (1 - f0) * pow(1 - cosine, 5);
+    return f0 + (0.75 - f0) * pow(1 - cosine, 5);
 }
 
 static burnish_material glass(float thickness) {
@@ -17,6 +17,7 @@ static burnish_material glass(float thickness) {
     material.transmission = 1;
     material.thickness = thickness;
     material.attenuation_distance = 0.5f;
+    material.edge_loss = 0.25f;
     set_three(material.reflectance, 0.04f);
     memcpy(material.diffuse, tint, sizeof tint);
     memcpy(material.attenuation_color, absorbed, sizeof absorbed);
@@ -87,10 +88,10 @@ static void check_rays(burnish_isa isa, float index, burnish_texture_scratch *sc
     const burnish_render_ops *ops = burnish_render_ops_for(isa);
     static float normal[3][COUNT], facing[COUNT];
     const burnish_kernels_shader shader = {.viewer = {0, 0, 1}};
-    burnish_material material = glass(1);
-    const burnish_passing passing = {&material, &shader, NULL, {normal[0], normal[1], normal[2]},
-                                     facing,    0};
-    material.refractive_index = index;
+    burnish_textured_material material = {.material = glass(1)};
+    const burnish_passing passing = {
+        &material, &shader, {.normal = {normal[0], normal[1], normal[2]}}, facing};
+    material.material.refractive_index = index;
     for (int i = 0; i < COUNT; ++i) {
         const double angle = i * M_PI / 2 / COUNT, turn = 0.7 * i;
         normal[0][i] = (float)(sin(angle) * cos(turn));

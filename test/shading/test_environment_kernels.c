@@ -43,11 +43,12 @@ static void add_light(const burnish_kernels *kernels,
         at.position[k] = p->in[3 + k];
         each.diffuse[k] = has_arrays ? p->in[7 + k] : NULL;
         each.reflectance[k] = has_arrays ? p->in[10 + k] : NULL;
+        each.bent[k] = has_arrays ? p->in[k] : NULL;
         each.near_diffuse[k] = has_arrays ? p->in[15 + k] : NULL;
         each.near_specular[k] = has_arrays ? p->in[18 + k] : NULL;
     }
     each.roughness = has_arrays ? p->in[13] : NULL;
-    each.open = has_arrays ? p->in[14] : NULL;
+    each.open = each.edge_loss = has_arrays ? p->in[14] : NULL;
     kernels->add_environment(constants, material, &at, &each, count,
                              (float *const[3]){p->rgb[0], p->rgb[1], p->rgb[2]});
     kernels->reflect_points(constants, material, &at, each.roughness, count,

@@ -52,7 +52,8 @@ static int has_wide_light(const render_shading_settings *shading) {
 
 static void drop_layers(burnish_material *material) {
     memset(material->sheen, 0, sizeof material->sheen);
-    material->coat = 0;
+    memset(material->anisotropy, 0, sizeof material->anisotropy);
+    material->coat = material->edge_loss = 0;
 }
 
 static void apply_preset(const render_preset *preset, int is_wide, burnish_material *material) {
@@ -90,7 +91,8 @@ static void make_glass(const render_preset *preset, burnish_material *material) 
             memset(&material->textures[i], 0, sizeof material->textures[i]);
         }
     }
-    material->metallic = 0;
+    memset(material->anisotropy, 0, sizeof material->anisotropy);
+    material->metallic = material->edge_loss = 0;
     material->roughness = preset->roughness;
     material->is_metallic = 1;
     material->is_unlit = 0;
@@ -179,7 +181,7 @@ static void lift_black(burnish_material *material) {
         material->specular[k] = 0.35F;
         material->reflectance[k] = 0.04F;
     }
-    material->metallic = 0;
+    material->metallic = material->edge_loss = 0;
     material->roughness = 0.35F;
 }
 

@@ -30,7 +30,7 @@ typedef struct burnish_builder {
     double crease_angle;
     burnish_normals_source normals; /* AUTO only for formats whose normals are questioned */
     int measure;                    /* 1: the mesh gets its facts */
-    int needs_tangents;             /* 1: a material uses a normal texture */
+    int needs_tangents;             /* 1: a material has directions along the surface */
     int wide;                       /* as burnish_face_width() has it */
 
     size_t position_count;      /* welded positions, at the head of data's positions */

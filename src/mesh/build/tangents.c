@@ -1,4 +1,5 @@
-/* Which textures and coordinates a mesh keeps, and tangents for meshes with normal textures.
+/* Which textures and coordinates a mesh keeps, and tangents for meshes with normal textures or
+ * anisotropy.
  *
  * Tangents follow MikkTSpace (Mikkelsen 2008). The tangent of a triangle is the unit direction in
  * which u grows, projected onto the plane at right angles to the vertex normal, and weighted by the
@@ -11,15 +12,6 @@
 #include "mesh/data/material.h"
 
 /* ---- What is kept ---- */
-
-static int uses_texture(const burnish_mesh_data *data, int slot) {
-    for (size_t i = 0; i < data->material_count; ++i) {
-        if (data->materials[i].textures[slot].texture) {
-            return 1;
-        }
-    }
-    return 0;
-}
 
 /* Textures with coordinates that the mesh lacks are dropped. Returns how many use the second. */
 static size_t settle_second(burnish_mesh_data *data) {
@@ -39,6 +31,7 @@ static size_t settle_second(burnish_mesh_data *data) {
 static void drop_uses(burnish_mesh_data *data) {
     for (size_t i = 0; i < data->material_count; ++i) {
         memset(data->materials[i].textures, 0, sizeof data->materials[i].textures);
+        memset(data->materials[i].anisotropy, 0, sizeof data->materials[i].anisotropy);
     }
     burnish_textures_release(data->memory.context, data->textures, data->texture_count);
     data->textures = NULL;
@@ -48,8 +41,10 @@ static void drop_uses(burnish_mesh_data *data) {
 void burnish_build_prepare_textures(burnish_builder *b, const burnish_load_options *options) {
     burnish_mesh_data *data = b->data;
     int any = 0;
-    for (int slot = 0; slot < BURNISH_TEXTURE_SLOT_COUNT; ++slot) {
-        any |= uses_texture(data, slot);
+    b->needs_tangents = 0;
+    for (size_t i = 0; i < data->material_count; ++i) {
+        any |= burnish_material_has_textures(&data->materials[i]);
+        b->needs_tangents |= burnish_material_needs_tangents(&data->materials[i]);
     }
     if (any && !options->ignore_textures && data->streams[BURNISH_TEXCOORD].count == 0) {
         burnish_mesh_data_warn(data,
@@ -61,7 +56,7 @@ void burnish_build_prepare_textures(burnish_builder *b, const burnish_load_optio
     if (options->ignore_textures || data->streams[BURNISH_TEXCOORD].count == 0 ||
         data->point_count > 0) {
         drop_uses(data);
-        any = 0;
+        any = b->needs_tangents = 0;
     }
     const size_t second = settle_second(data);
     if (second == 0) {
@@ -73,11 +68,9 @@ void burnish_build_prepare_textures(burnish_builder *b, const burnish_load_optio
                                burnish_show_name(b->name).text, second,
                                second == 1 ? " is" : "s are");
     }
-    if (!any && !options->keep_texture_coordinates) {
+    if (!any && !b->needs_tangents && !options->keep_texture_coordinates) {
         burnish_mesh_data_drop(data, BURNISH_TEXCOORD);
     }
-    b->needs_tangents = any && (uses_texture(data, BURNISH_TEXTURE_NORMAL) ||
-                                uses_texture(data, BURNISH_TEXTURE_COAT_NORMAL));
     if (!b->needs_tangents) {
         burnish_mesh_data_drop(data, BURNISH_TANGENT);
     }

@@ -47,9 +47,10 @@ const burnish_texture *burnish_mesh_get_texture(const burnish_mesh *mesh, size_t
 /* ---- Checks ---- */
 
 static const char *const slot_names[BURNISH_TEXTURE_SLOT_COUNT] = {
-    "color",       "specular",        "exponent", "metallic_roughness", "normal",
-    "emissive",    "occlusion",       "opacity",  "transmission",       "thickness",
-    "sheen_color", "sheen_roughness", "coat",     "coat_roughness",     "coat_normal"};
+    "color",          "specular",        "exponent",          "metallic_roughness", "normal",
+    "emissive",       "occlusion",       "opacity",           "transmission",       "thickness",
+    "sheen_color",    "sheen_roughness", "specular_strength", "anisotropy",         "coat",
+    "coat_roughness", "coat_normal"};
 
 static burnish_status check_use(const burnish_texture_use *use, int slot, size_t texture_count,
                                 const char *name, burnish_error *error) {
@@ -102,6 +103,9 @@ burnish_status burnish_check_material(const burnish_material *material, size_t t
                    {"transparency", material->transparency, 0, 1},
                    {"metallic", material->metallic, 0, 1},
                    {"roughness", material->roughness, 0, 1},
+                   {"edge_loss", material->edge_loss, 0, 1},
+                   {"anisotropy[0]", material->anisotropy[0], -1, 1},
+                   {"anisotropy[1]", material->anisotropy[1], -1, 1},
                    {"sheen_roughness", material->sheen_roughness, 0, 1},
                    {"coat", material->coat, 0, 1},
                    {"coat_roughness", material->coat_roughness, 0, 1},

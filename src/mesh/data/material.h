@@ -28,4 +28,11 @@ static inline int burnish_material_has_textures(const burnish_material *material
     return any != 0;
 }
 
+/* Whether a material has directions along the surface. */
+static inline int burnish_material_needs_tangents(const burnish_material *material) {
+    const float x = material->anisotropy[0], y = material->anisotropy[1];
+    return material->textures[BURNISH_TEXTURE_NORMAL].texture ||
+           material->textures[BURNISH_TEXTURE_COAT_NORMAL].texture || x * x + y * y > 0;
+}
+
 #endif

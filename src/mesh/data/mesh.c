@@ -340,12 +340,10 @@ static burnish_status check_attributes(const burnish_mesh_view *view,
                                 "second_coordinates; make it with such a material");
         }
     }
-    if ((material->textures[BURNISH_TEXTURE_NORMAL].texture ||
-         material->textures[BURNISH_TEXTURE_COAT_NORMAL].texture) &&
-        !view->tangents) {
+    if (burnish_material_needs_tangents(material) && !view->tangents) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "material: uses a normal texture, but the mesh has no tangents; make "
-                            "it with such a material");
+                            "material: uses a normal texture or anisotropy, but the mesh has no "
+                            "tangents; make it with such a material");
     }
     return BURNISH_STATUS_OK;
 }

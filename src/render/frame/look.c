@@ -212,7 +212,7 @@ burnish_status burnish_look_set_materials(burnish_look name, burnish_mesh *mesh,
         memset(material.emissive, 0, sizeof material.emissive);
         memset(material.sheen, 0, sizeof material.sheen);
         material.is_metallic = material.is_unlit = material.has_exponent = 0;
-        material.metallic = material.coat = 0;
+        material.metallic = material.coat = material.edge_loss = 0;
         material.roughness = wanted->roughness;
         material.alpha_mode = BURNISH_ALPHA_IGNORE;
         for (int k = 0; k < 3; ++k) {

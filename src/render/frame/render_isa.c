@@ -38,6 +38,7 @@ const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD) = {
     OP(interpolate_tangents),
     OP(turn_normals),
     OP(vary_points),
+    OP(bend_normals),
     OP(pass_points),
     OP(map_tones),
     OP(encode_pixels),

@@ -12,16 +12,14 @@ void burnish_pass_light(const burnish_shading *shading, const burnish_kernels_po
     const burnish_textured_material *from = &shading->texturing->materials[material];
     const burnish_area *area = shading->area;
     const int has_maps = area && area->constants.diffuse;
-    burnish_passing passing = {.material = &from->material,
+    burnish_passing passing = {.material = from,
                                .shader = &shading->texturing->white,
-                               .points = points,
-                               .facing = is_group ? scratch->group.facing : scratch->facing,
-                               .has_thickness =
-                                   from->samplers[BURNISH_TEXTURE_THICKNESS].levels != NULL};
+                               .points = *points,
+                               .facing = is_group ? scratch->group.facing : scratch->facing};
     const float *direction[3];
     float *seen[3];
     for (int k = 0; k < 3; ++k) {
-        passing.normal[k] = from->has_normals ? textures->normal[k] : points->normal[k];
+        passing.points.normal[k] = from->has_normals ? textures->normal[k] : points->normal[k];
         direction[k] = textures->sample[k];
         seen[k] = textures->specular[k];
     }

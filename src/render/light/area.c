@@ -354,6 +354,7 @@ static burnish_reflecting_material reflecting_of(const burnish_material *from, i
         to.diffuse[k] = is_metallic ? base * (1 - metallic) : base;
         to.reflectance[k] = clamped_value(f0, 0.0f, 1.0f);
     }
+    to.edge_loss = is_metallic ? from->edge_loss * (1 - metallic) : 0;
     to.roughness =
         is_metallic ? from->roughness : (float)burnish_sqrt(burnish_sqrt(2 / ((double)n + 2)));
     return to;
@@ -475,6 +476,10 @@ static void read_textures(const burnish_area_batch *batch, burnish_kernels_point
     if (material->is_varied) {
         const int has_occlusion = material->samplers[BURNISH_TEXTURE_OCCLUSION].levels != NULL;
         each->roughness = varies_roughness(material) ? textures->roughness : NULL;
+        for (int k = 0; k < 3 && material->is_bent; ++k) {
+            each->bent[k] = textures->bent[k];
+        }
+        each->edge_loss = material->has_edge ? textures->edge_loss : NULL;
         each->open = has_occlusion ? textures->open : NULL;
     }
 }
@@ -487,6 +492,10 @@ void burnish_area_integrate(const burnish_area *area, const burnish_kernels *ker
     const size_t count = (size_t)points->count;
     float *const axis[3] = {scratch->axis[0], scratch->axis[1], scratch->axis[2]};
     float(*const leaned)[BURNISH_NEAR_BATCH] = scratch->leaned;
+    burnish_kernels_points mirrors = *points->points;
+    for (int k = 0; k < 3 && points->bent; ++k) {
+        mirrors.normal[k] = points->bent[k];
+    }
     burnish_near_batch near = {.points = points->points,
                                .count = points->count,
                                .only_specular = points->only_specular,
@@ -494,10 +503,10 @@ void burnish_area_integrate(const burnish_area *area, const burnish_kernels *ker
                                .alpha = -1,
                                .roughness = points->roughness};
     if (reflecting->reflects) {
-        kernels->reflect_points(&area->constants, reflecting, points->points, points->roughness,
-                                count, axis, NULL);
+        kernels->reflect_points(&area->constants, reflecting, &mirrors, points->roughness, count,
+                                axis, NULL);
         if (near.is_stretched) {
-            kernels->reflect_points(&area->constants, reflecting, points->points, points->roughness,
+            kernels->reflect_points(&area->constants, reflecting, &mirrors, points->roughness,
                                     count, (float *const[3]){leaned[0], leaned[1], leaned[2]},
                                     (float *const[3]){leaned[3], leaned[4], leaned[5]});
         }
@@ -537,7 +546,7 @@ static void integrate_rest(const burnish_area *area, const burnish_kernels *kern
         rest.normal[k] = scratch->rest[k];
         rest.position[k] = scratch->rest[3 + k];
     }
-    const burnish_area_points part = {&rest, batch->material, count, only_specular, NULL};
+    const burnish_area_points part = {&rest, batch->material, count, only_specular, NULL, NULL};
     burnish_area_integrate(area, kernels, &part, scratch, scratch->rest_values);
     for (int k = 0; k < BURNISH_NEAR_VALUES; ++k) {
         const int is_diffuse = k < BURNISH_NEAR_SPECULAR || k == BURNISH_NEAR_KEY_DIFFUSE;
@@ -554,8 +563,10 @@ static void add_near_lights(const burnish_area *area, const burnish_kernels *ker
                             const burnish_render_ops *ops, const burnish_area_batch *batch,
                             const burnish_kernels_points *points, burnish_reflecting_points *each) {
     burnish_near_scratch *scratch = batch->scratch;
-    if (area->materials[batch->material].reflecting.has_levels) {
-        const burnish_area_points all = {points, batch->material, batch->count, 0, each->roughness};
+    if (each->bent[0] || area->materials[batch->material].reflecting.has_levels) {
+        const burnish_area_points all = {points,          batch->material,
+                                         batch->count,    0,
+                                         each->roughness, each->bent[0] ? each->bent : NULL};
         burnish_area_integrate(area, kernels, &all, scratch, scratch->values);
     } else {
         scratch->left.shown = batch->shown;

@@ -177,8 +177,9 @@ void burnish_area_add_radiance(const burnish_area *area, const burnish_render_op
 typedef struct burnish_area_points {
     const burnish_kernels_points *points;
     int material, count;
-    int only_specular;      /* 1: diffuse light is not wanted */
-    const float *roughness; /* of each point; NULL: the material's */
+    int only_specular;        /* 1: diffuse light is not wanted */
+    const float *roughness;   /* of each point; NULL: the material's */
+    const float *const *bent; /* three arrays, burnish_reflecting_points'; NULL: none */
 } burnish_area_points;
 
 /* Writes what arrives of near lights: BURNISH_NEAR_VALUES arrays. */

@@ -511,7 +511,7 @@ static void light_cells(const burnish_near_field *field, near_squares *squares, 
         points.normal[k] = scratch->rest[k];
         points.position[k] = scratch->rest[3 + k];
     }
-    const burnish_area_points nodes = {&points, material, count * NODES, 0, NULL};
+    const burnish_area_points nodes = {&points, material, count * NODES, 0, NULL, NULL};
     burnish_area_integrate(field->area, field->kernels, &nodes, scratch, scratch->rest_values);
     for (int i = 0; i < count; ++i) {
         near_square *square = &squares->squares[shaped[i]];

@@ -17,22 +17,6 @@
 /* The exponent of 65536 is the roughness 0.0743: from there on straight light becomes less. */
 #define PASSING_SMOOTH (1.0f / (1.0f - 0.0743f))
 
-/* Unit vectors toward the outside and the viewer. */
-BURNISH_INLINE void passing_vectors(const burnish_passing *passing, size_t i, vf normal[3],
-                                    vf viewer[3]) {
-    const burnish_kernels_shader *shader = passing->shader;
-    for (int k = 0; k < 3; ++k) {
-        normal[k] = vf_load(passing->normal[k] + i);
-        viewer[k] = vf_set(shader->viewer[k]);
-        if (shader->local_viewer) {
-            viewer[k] = vf_sub(vf_mul(viewer[k], vf_load(passing->points->w + i)),
-                               vf_load(passing->points->position[k] + i));
-        }
-    }
-    texture_normalize(normal);
-    texture_normalize(viewer);
-}
-
 /* Of rays from the viewer at a cosine c: where they go, and the share of straight light. */
 BURNISH_INLINE vf passing_turn(const vf normal[3], const vf viewer[3], vf c, vf inverse_index,
                                vf to[3]) {
@@ -54,25 +38,28 @@ BURNISH_INLINE vf passing_turn(const vf normal[3], const vf viewer[3], vf c, vf 
 static void pass_points(const burnish_passing *passing, size_t count,
                         burnish_texture_scratch *scratch) {
     const vf zero = vf_set(0.0f), one = vf_set(1.0f);
-    const burnish_material *material = passing->material;
+    const burnish_material *material = &passing->material->material;
+    const int has_thickness = passing->material->samplers[BURNISH_TEXTURE_THICKNESS].levels != NULL;
+    const int has_edge = passing->material->has_edge;
     const float index = material->refractive_index >= 1 ? material->refractive_index : 1.5f;
     const float distance = material->attenuation_distance;
     for (size_t i = 0; i < count; i += LANES) {
         vf normal[3], viewer[3], to[3];
-        passing_vectors(passing, i, normal, viewer);
+        texture_vectors(passing->shader, &passing->points, i, normal, viewer);
         const vf c = vector_saturate(texture_dot(normal, viewer)), fall = vf_sub(one, c);
         const vf squared = vf_mul(fall, fall), edge = vf_mul(vf_mul(squared, squared), fall);
         vf depth = vf_set(material->thickness);
         const vm solid = vf_greater(depth, zero);
         const vm front = vf_greater(vf_load(passing->facing + i), zero);
-        if (passing->has_thickness) {
+        const vf f90 = vf_sub(one, has_edge ? vf_load(scratch->edge_loss + i) : zero);
+        if (has_thickness) {
             depth = vf_mul(depth, vf_load(scratch->thickness + i));
         }
         const vf ratio = vf_min(vf_div(depth, vf_set(distance)), vf_set(0x1p100f)); /* finite */
         const vm enters = vm_and(front, vf_greater(depth, zero));
         for (int k = 0; k < 3; ++k) {
             const vf f0 = vf_load(scratch->reflectance[k] + i);
-            const vf rest = vf_sub(one, vf_add(f0, vf_mul(vf_sub(one, f0), edge)));
+            const vf rest = vf_sub(one, vf_add(f0, vf_mul(vf_sub(f90, f0), edge)));
             vf passed = vf_blend(vm_and(solid, vm_not(front)), vf_load(scratch->transmission + i),
                                  vf_load(scratch->passed[k] + i));
             if (distance > 0) {

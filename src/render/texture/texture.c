@@ -134,6 +134,12 @@ static burnish_status set_material(burnish_texturing *texturing, const burnish_m
                          slot < BURNISH_TEXTURE_OPACITY;
     }
     to->has_normals = to->samplers[BURNISH_TEXTURE_NORMAL].levels != NULL;
+    const float *along = from->anisotropy;
+    to->is_bent =
+        from->is_metallic && !from->is_unlit && along[0] * along[0] + along[1] * along[1] > 0;
+    to->has_textures |= to->is_bent;
+    to->has_edge = from->is_metallic &&
+                   (from->edge_loss > 0 || to->samplers[BURNISH_TEXTURE_SPECULAR_STRENGTH].levels);
     to->is_varied &= !from->is_unlit;
     to->is_alpha = has_alpha(to);
     to->passes = from->is_metallic && !from->is_unlit && from->transmission > 0 &&
@@ -217,7 +223,7 @@ burnish_status burnish_texturing_update(burnish_texturing *texturing,
             make_white(&material->material);
         }
         texturing->needs_points |= material->has_textures;
-        texturing->needs_tangents |= material->has_normals;
+        texturing->needs_tangents |= material->has_normals | material->is_bent;
         texturing->has_alpha |= material->is_alpha;
         texturing->has_passing |= material->passes;
         texturing->smooth_samples = material->is_smooth ? samples : texturing->smooth_samples;

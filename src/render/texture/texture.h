@@ -84,6 +84,8 @@ typedef struct burnish_textured_material {
     int is_varied;    /* 1: more than its colour differs from point to point */
     int is_alpha;     /* 1: alpha is below 1 somewhere */
     int is_smooth;    /* 1: a mask that is decided sample by sample */
+    int is_bent;      /* 1: points have bent normals, for which they need tangents */
+    int has_edge;     /* 1: points have an edge loss */
     int passes;       /* 1: light passes through it, and its triangles are transparent */
     float mask_alpha; /* MASK: the alpha from which on something is there */
     burnish_texture_sampler samplers[BURNISH_TEXTURE_SLOT_COUNT];
@@ -93,7 +95,7 @@ typedef struct burnish_textured_material {
 typedef struct burnish_texturing {
     int has_some;          /* 0: no material is special, and nothing else means anything */
     int needs_points;      /* 1: some have textures */
-    int needs_tangents;    /* 1: some have normal textures */
+    int needs_tangents;    /* 1: some have normal textures or anisotropy */
     int needs_second;      /* 1: some textures use the second texture coordinates */
     int has_alpha;         /* 1: some have alpha below 1 */
     int has_passing;       /* 1: light passes through some */
@@ -174,6 +176,7 @@ typedef struct burnish_texture_scratch {
     float specular[3][BURNISH_TEXTURE_BATCH], exponent[BURNISH_TEXTURE_BATCH];
     float open[BURNISH_TEXTURE_BATCH]; /* of ambient light */
     float reflectance[3][BURNISH_TEXTURE_BATCH], roughness[BURNISH_TEXTURE_BATCH]; /* if wanted */
+    float edge_loss[BURNISH_TEXTURE_BATCH], bent[3][BURNISH_TEXTURE_BATCH];
     float sheen[4][BURNISH_TEXTURE_BATCH]; /* factors of its colour and roughness */
     float opacity[BURNISH_TEXTURE_BATCH];  /* of points of one material */
     float alpha[BURNISH_TEXTURE_BATCH];    /* of the batch: what textures leave of the opacity */
@@ -192,11 +195,10 @@ typedef struct burnish_texture_scratch {
 
 /* Points of one material through which light passes. */
 typedef struct burnish_passing {
-    const burnish_material *material;
+    const burnish_textured_material *material;
     const burnish_kernels_shader *shader; /* has the viewer */
-    const burnish_kernels_points *points; /* their position and w, if the viewer is near */
-    const float *normal[3], *facing;      /* facing: above 0: the front is seen */
-    int has_thickness;                    /* 1: there is a texture of it */
+    burnish_kernels_points points;        /* position and w are read if the viewer is near */
+    const float *facing;                  /* above 0: the front is seen */
 } burnish_passing;
 
 /* Points of one special material that are shaded together. */

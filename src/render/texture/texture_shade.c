@@ -97,6 +97,9 @@ static unsigned sample_coefficients(const burnish_texture_batch *batch) {
     } wanted[] = {
         {BURNISH_TEXTURE_OCCLUSION, RED, {scratch->open, sample[1], sample[2], sample[3]}},
         {BURNISH_TEXTURE_SPECULAR, COLOR, {specular[0], specular[1], specular[2], sample[3]}},
+        {BURNISH_TEXTURE_SPECULAR_STRENGTH,
+         RED,
+         {scratch->edge_loss, sample[1], sample[2], sample[3]}},
         {BURNISH_TEXTURE_EXPONENT, RED, {scratch->exponent, sample[1], sample[2], sample[3]}},
         {BURNISH_TEXTURE_TRANSMISSION,
          RED,
@@ -141,6 +144,12 @@ static void shade_varied(const burnish_texturing *texturing, const burnish_textu
         each.diffuse[k] = scratch->diffuse[k];
         each.specular[k] = scratch->specular[k];
         turned.normal[k] = has_normals ? scratch->normal[k] : points->normal[k];
+    }
+    if (texturing->wants_reflectance && batch->material->is_bent) {
+        sample_slot(batch, BURNISH_TEXTURE_ANISOTROPY, ALL);
+        batch->ops->bend_normals(&texturing->white, batch->material, &turned,
+                                 batch->streams[0] + BURNISH_TEXTURE_TANGENT, (size_t)batch->count,
+                                 scratch);
     }
     const int is_exact = texturing->lobe.by_material && batch->material->material.has_exponent;
     const int body = is_exact ? BURNISH_LOBE_BODY_POWER : texturing->white.lobe.body;

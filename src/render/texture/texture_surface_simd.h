@@ -45,6 +45,25 @@ static void interpolate_tangents(const burnish_mesh_view *mesh, const uint32_t *
     }
 }
 
+/* Unit vectors: the normal n, already normalised, the tangent at right angles to it, and the
+ * bitangent. */
+BURNISH_INLINE void texture_frame(const float *const *tangent, size_t i, const vf n[3], vf t[3],
+                                  vf b[3]) {
+    for (int k = 0; k < 3; ++k) {
+        t[k] = vf_load(tangent[k] + i);
+    }
+    const vf along = texture_dot(n, t);
+    for (int k = 0; k < 3; ++k) {
+        t[k] = vf_sub(t[k], vf_mul(n[k], along));
+    }
+    texture_normalize(t);
+    const vf sign = vf_load(tangent[3] + i);
+    texture_cross(n, t, b);
+    for (int k = 0; k < 3; ++k) {
+        b[k] = vf_mul(sign, b[k]);
+    }
+}
+
 static void turn_normals(float strength, const float *const normal[3], const float *const *tangent,
                          const float *const sample[4], size_t count, float *const out[4]) {
     const vf one = vf_set(1.0f), two = vf_set(2.0f);
@@ -52,19 +71,9 @@ static void turn_normals(float strength, const float *const normal[3], const flo
         vf n[3], t[3], b[3], turned[3];
         for (int k = 0; k < 3; ++k) {
             n[k] = vf_load(normal[k] + i);
-            t[k] = vf_load(tangent[k] + i);
         }
         texture_normalize(n);
-        const vf along = texture_dot(n, t);
-        for (int k = 0; k < 3; ++k) {
-            t[k] = vf_sub(t[k], vf_mul(n[k], along));
-        }
-        texture_normalize(t);
-        const vf sign = vf_load(tangent[3] + i);
-        for (int k = 0; k < 3; ++k) {
-            const int j = (k + 1) % 3, l = (k + 2) % 3;
-            b[k] = vf_mul(sign, vf_sub(vf_mul(n[j], t[l]), vf_mul(n[l], t[j])));
-        }
+        texture_frame(tangent, i, n, t, b);
         const vf x = vf_mul(vf_sub(vf_mul(vf_load(sample[0] + i), two), one), vf_set(strength));
         const vf y = vf_mul(vf_sub(vf_mul(vf_load(sample[1] + i), two), one), vf_set(strength));
         const vf z = vf_sub(vf_mul(vf_load(sample[2] + i), two), one);
@@ -77,6 +86,66 @@ static void turn_normals(float strength, const float *const normal[3], const flo
         }
         const vf missing = vf_sub(one, vf_load(sample[3] + i));
         vf_store(out[3] + i, vf_max(vf_sub(one, vf_mul(missing, missing)), vf_set(0.0f)));
+    }
+}
+
+/* Unit vectors toward the outside and the viewer. */
+BURNISH_INLINE void texture_vectors(const burnish_kernels_shader *view,
+                                    const burnish_kernels_points *points, size_t i, vf normal[3],
+                                    vf viewer[3]) {
+    for (int k = 0; k < 3; ++k) {
+        normal[k] = vf_load(points->normal[k] + i);
+        viewer[k] = vf_set(view->viewer[k]);
+        if (view->local_viewer) {
+            viewer[k] =
+                vf_sub(vf_mul(viewer[k], vf_load(points->w + i)), vf_load(points->position[k] + i));
+        }
+    }
+    texture_normalize(normal);
+    texture_normalize(viewer);
+}
+
+/* As KHR_materials_anisotropy's page and three.js do: the part of V at right angles to the direction
+ * across is mixed with N, whose share is (1 - strength (1 - roughness))^4. */
+static void bend_normals(const burnish_kernels_shader *view,
+                         const burnish_textured_material *material,
+                         const burnish_kernels_points *points, const float *const *tangent,
+                         size_t count, burnish_texture_scratch *scratch) {
+    const float *along = material->material.anisotropy;
+    const vf one = vf_set(1.0f), two = vf_set(2.0f), least = vf_set(0x1p-40f);
+    const vf turn[2] = {vf_set(along[0]), vf_set(along[1])};
+    for (size_t i = 0; i < count; i += LANES) {
+        vf n[3], v[3], t[3], b[3], across[3], bent[3], x = one, y = vf_set(0.0f), size = one;
+        texture_vectors(view, points, i, n, v);
+        texture_frame(tangent, i, n, t, b);
+        if (material->samplers[BURNISH_TEXTURE_ANISOTROPY].levels) {
+            x = vf_sub(vf_mul(vf_load(scratch->sample[0] + i), two), one);
+            y = vf_sub(vf_mul(vf_load(scratch->sample[1] + i), two), one);
+            const vf squared = vf_max(vf_add(vf_mul(x, x), vf_mul(y, y)), least);
+            size = vf_mul(vf_load(scratch->sample[2] + i), vector_inverse_sqrt(squared));
+        }
+        const vf d[2] = {vf_mul(size, vf_sub(vf_mul(turn[0], x), vf_mul(turn[1], y))),
+                         vf_mul(size, vf_add(vf_mul(turn[1], x), vf_mul(turn[0], y)))};
+        const vf squared = vf_max(vf_add(vf_mul(d[0], d[0]), vf_mul(d[1], d[1])), least);
+        const vf inverse = vector_inverse_sqrt(squared);
+        const vf strength = vf_min(vf_mul(squared, inverse), one);
+        for (int k = 0; k < 3; ++k) {
+            across[k] = vf_mul(vf_sub(vf_mul(d[0], b[k]), vf_mul(d[1], t[k])), inverse);
+        }
+        const vf part = texture_dot(across, v);
+        const vf smooth = vf_sub(one, vf_load(scratch->roughness + i));
+        const vf rest = vf_sub(one, vf_mul(strength, smooth)), share = vf_mul(rest, rest);
+        for (int k = 0; k < 3; ++k) {
+            bent[k] = vf_sub(v[k], vf_mul(part, across[k]));
+        }
+        texture_normalize(bent);
+        for (int k = 0; k < 3; ++k) {
+            bent[k] = vf_add(bent[k], vf_mul(vf_mul(share, share), vf_sub(n[k], bent[k])));
+        }
+        texture_normalize(bent);
+        for (int k = 0; k < 3; ++k) {
+            vf_store(scratch->bent[k] + i, bent[k]);
+        }
     }
 }
 
@@ -109,11 +178,17 @@ BURNISH_INLINE void texture_metal(const burnish_material *from, unsigned sampled
     if (from->transmission > 0) {
         vf_store(scratch->transmission + i, vf_mul(passing, vf_sub(one, metallic)));
     }
+    const vf rest = vf_sub(one, metallic);
+    const int has_strength = sampled >> BURNISH_TEXTURE_SPECULAR_STRENGTH & 1;
+    const vf strength = has_strength ? vf_load(scratch->edge_loss + i) : one;
+    if (from->edge_loss > 0 || has_strength) {
+        const vf f90 = vf_mul(vf_set(1 - from->edge_loss), strength);
+        vf_store(scratch->edge_loss + i, vf_mul(vf_sub(one, f90), rest));
+    }
     for (int k = 0; k < 3; ++k) {
         const vf base = vf_mul(vf_set(from->diffuse[k]), vf_load(scratch->diffuse[k] + i));
-        const vf rest = vf_sub(one, metallic);
         to->ambient[k] = base;
-        vf reflectance = vf_set(from->reflectance[k]);
+        vf reflectance = vf_mul(vf_set(from->reflectance[k]), strength);
         if (sampled >> BURNISH_TEXTURE_SPECULAR & 1) {
             reflectance = vf_mul(reflectance, vf_load(scratch->specular[k] + i));
         }

@@ -99,6 +99,7 @@ static const char *const drawn_extensions[] = {"KHR_lights_punctual",
                                                "EXT_texture_avif",
                                                "EXT_texture_webp",
                                                "KHR_draco_mesh_compression",
+                                               "KHR_materials_anisotropy",
                                                "KHR_materials_clearcoat",
                                                "KHR_materials_emissive_strength",
                                                "KHR_materials_ior",
@@ -334,7 +335,6 @@ static void read_parts(burnish_gltf *gltf) {
         burnish_reader_warn_group(gltf->reader, &gltf->undrawn);
         burnish_reader_warn_group(gltf->reader, &gltf->rests);
         burnish_reader_warn_group(gltf->reader, &gltf->other_sets);
-        burnish_reader_warn_group(gltf->reader, &gltf->strengths);
         gltf->status = gltf->memory->status;
     }
 }

@@ -151,7 +151,7 @@ typedef struct burnish_gltf {
     struct burnish_gltf_ahead *ahead;
     unsigned texture_sets[2]; /* of the current material */
     int has_colors;           /* 1: a primitive has colours of vertices */
-    burnish_warning_group odd_values, undrawn, rests, other_sets, strengths;
+    burnish_warning_group odd_values, undrawn, rests, other_sets;
 } burnish_gltf;
 
 /* ---- gltf_buffers.c ---- */

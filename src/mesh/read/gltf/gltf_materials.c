@@ -8,6 +8,7 @@
  * A metal has no diffuse colour, but there is no environment to reflect. Its colour therefore
  * reflects the ambient light, like an OBJ's Ka. */
 
+#include "base/elementary.h"
 #include "mesh/read/gltf/gltf.h"
 
 enum { MATERIAL_LIMIT = 65535 /* what 16 bits a triangle can tell apart, but for the default */ };
@@ -21,6 +22,7 @@ typedef struct gltf_surface {
     double base[4];
     double metallic, roughness;
     double reflectance[3]; /* at normal incidence, for a dielectric */
+    double edge_loss;      /* at grazing angles, for a dielectric */
 } gltf_surface;
 
 /* KHR_materials_ior and KHR_materials_specular: f0 = ((ior - 1) / (ior + 1))^2, times strength and
@@ -33,6 +35,7 @@ static void read_reflectance(burnish_gltf *gltf, uint32_t value, gltf_surface *s
     const double strength =
         clamp_number(burnish_gltf_number(gltf, specular, "specularFactor", 1), 0, 1);
     double color[3] = {1, 1, 1};
+    surface->edge_loss = 1 - strength;
     burnish_gltf_numbers(gltf, specular, "specularColorFactor", 3, color);
     for (int i = 0; i < 3; ++i) {
         surface->reflectance[i] = clamp_number(root * root * color[i], 0, 1) * strength;
@@ -66,7 +69,8 @@ static void read_glossy(burnish_gltf *gltf, uint32_t glossy, gltf_surface *surfa
 static burnish_material make_material(const gltf_surface *surface) {
     burnish_material material = {.has_diffuse = 1,
                                  .metallic = (float)surface->metallic,
-                                 .roughness = (float)surface->roughness};
+                                 .roughness = (float)surface->roughness,
+                                 .edge_loss = (float)surface->edge_loss};
     const double alpha = surface->roughness * surface->roughness;
     const double exponent = clamp_number(alpha > 0 ? 2 / (alpha * alpha) - 2 : 65536, 1, 65536);
     material.exponent = (float)exponent;
@@ -133,20 +137,31 @@ static void read_alpha(burnish_gltf *gltf, uint32_t value, double alpha,
     }
 }
 
-/* KHR_materials_specular has a texture of strengths and one of colours. A material has one such
- * texture: the colours, if the file has both. */
-static void read_specular(burnish_gltf *gltf, uint32_t value, burnish_texture_use *use) {
+/* The textures of KHR_materials_specular. */
+static void read_specular(burnish_gltf *gltf, uint32_t value, burnish_texture_use *textures) {
     const uint32_t specular = burnish_gltf_extension(gltf, value, "KHR_materials_specular");
-    const uint32_t strength = burnish_gltf_object(gltf, specular, "specularTexture");
-    *use = burnish_gltf_read_texture(gltf, specular, "specularColorTexture", BURNISH_GLTF_COLORS,
-                                     NULL);
-    if (use->texture == 0) {
-        *use =
-            burnish_gltf_read_texture(gltf, specular, "specularTexture", BURNISH_GLTF_ALPHA, NULL);
-    } else if (strength != BURNISH_JSON_NONE) {
-        burnish_gltf_note(gltf, &gltf->strengths, strength,
-                          "ignored, as specularColorTexture is drawn");
+    textures[BURNISH_TEXTURE_SPECULAR] = burnish_gltf_read_texture(
+        gltf, specular, "specularColorTexture", BURNISH_GLTF_COLORS, NULL);
+    textures[BURNISH_TEXTURE_SPECULAR_STRENGTH] =
+        burnish_gltf_read_texture(gltf, specular, "specularTexture", BURNISH_GLTF_ALPHA, NULL);
+}
+
+/* KHR_materials_anisotropy. Returns whether there is some. */
+static int read_anisotropy(burnish_gltf *gltf, uint32_t value, burnish_material *material) {
+    const uint32_t object = burnish_gltf_extension(gltf, value, "KHR_materials_anisotropy");
+    const double turn = burnish_gltf_number(gltf, object, "anisotropyRotation", 0);
+    const double strength =
+        clamp_number(burnish_gltf_number(gltf, object, "anisotropyStrength", 0), 0, 1);
+    double sine, cosine;
+    if (material->is_unlit || !(strength > 0)) {
+        return 0;
     }
+    burnish_sincos(turn, &sine, &cosine);
+    material->anisotropy[0] = (float)(strength * cosine);
+    material->anisotropy[1] = (float)(strength * sine);
+    material->textures[BURNISH_TEXTURE_ANISOTROPY] =
+        burnish_gltf_read_texture(gltf, object, "anisotropyTexture", BURNISH_GLTF_NUMBERS, NULL);
+    return 1;
 }
 
 /* KHR_materials_sheen. */
@@ -224,14 +239,18 @@ static void read_textures(burnish_gltf *gltf, uint32_t value, uint32_t glossy,
     }
     textures[BURNISH_TEXTURE_COLOR] =
         burnish_gltf_read_texture(gltf, metallic, "baseColorTexture", BURNISH_GLTF_COLORS, NULL);
-    read_specular(gltf, value, &textures[BURNISH_TEXTURE_SPECULAR]);
+    read_specular(gltf, value, textures);
     read_transmission(gltf, value, material);
     textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS] = burnish_gltf_read_texture(
         gltf, metallic, "metallicRoughnessTexture", BURNISH_GLTF_NUMBERS, NULL);
     const int has_color = textures[BURNISH_TEXTURE_COLOR].texture > 0;
-    material->is_metallic = material->transmission > 0 ||
+    const float *f0 = material->reflectance;
+    const float given = material->metallic + material->roughness + f0[0] + f0[1] + f0[2];
+    material->is_metallic = read_anisotropy(gltf, value, material) || material->transmission > 0 ||
                             textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS].texture > 0 ||
                             textures[BURNISH_TEXTURE_SPECULAR].texture > 0 ||
+                            textures[BURNISH_TEXTURE_SPECULAR_STRENGTH].texture > 0 ||
+                            (!(given > 0) && material->edge_loss < 1) ||
                             (has_color && textures[BURNISH_TEXTURE_NORMAL].texture > 0) ||
                             ((has_color || gltf->has_colors) && material->metallic > 0);
     if (material->is_metallic || material->is_unlit) {
