@@ -49,10 +49,11 @@ static int skip_empty_lines(burnish_lexer *lexer) {
     }
 }
 
-/* Removes a prefix from a word. */
+/* Removes a prefix, given in small letters, from a word in any case. */
 static int cut_prefix(burnish_token *word, const char *prefix) {
     const size_t size = strlen(prefix);
-    if (word->size <= size || memcmp(word->bytes, prefix, size) != 0) {
+    if (word->size <= size ||
+        !burnish_bytes_are_caseless(word->bytes, (const uint8_t *)prefix, size)) {
         return 0;
     }
     word->bytes += size;
@@ -61,17 +62,17 @@ static int cut_prefix(burnish_token *word, const char *prefix) {
 }
 
 /* [ST][C][N][4][n]OFF, also with the first count right after it. Returns its size, 0 for any other
- * word. */
+ * word. Small letters are accepted, except that n is not N. */
 static size_t read_keyword(off_state *off, burnish_token word, int *has_dimensions) {
     const uint8_t *first = word.bytes;
-    off->has_texcoords = cut_prefix(&word, "ST");
-    off->has_colors = cut_prefix(&word, "C");
-    off->has_normals = cut_prefix(&word, "N");
+    off->has_texcoords = cut_prefix(&word, "st");
+    off->has_colors = cut_prefix(&word, "c");
+    off->has_normals = word.size > 0 && *word.bytes == 'N' && cut_prefix(&word, "n");
     *has_dimensions = cut_prefix(&word, "4");
     *has_dimensions |= cut_prefix(&word, "n");
-    const int is_it = burnish_token_is(word, "OFF") ||
-                      (cut_prefix(&word, "OFF") && *word.bytes >= '0' && *word.bytes <= '9');
-    return !is_it ? 0 : (size_t)(word.bytes - first) + (*word.bytes == 'O' ? 3 : 0);
+    const int is_it = burnish_token_is_caseless(word, "off") ||
+                      (cut_prefix(&word, "off") && *word.bytes >= '0' && *word.bytes <= '9');
+    return !is_it ? 0 : (size_t)(word.bytes - first) + ((*word.bytes | 0x20) == 'o' ? 3 : 0);
 }
 
 static burnish_status off_fail(off_state *off, const burnish_lexer *lexer, const char *text) {
@@ -91,6 +92,9 @@ static burnish_status read_head(off_state *off, burnish_lexer *lexer) {
     lexer->next = keyword > 0 ? word.bytes + keyword : before.next;
     if (keyword > 0 && has_dimensions) {
         return off_fail(off, lexer, "only vertices of 3 dimensions are supported; export OFF");
+    }
+    if (keyword > 0 && before.next[keyword - 1] == 'f') {
+        burnish_reader_warn(off->reader, before.next, "the keyword is in small letters");
     }
     for (int i = 0; i < 2; ++i) {
         if (!skip_empty_lines(lexer) || !burnish_lexer_token(lexer, &word)) {
@@ -125,12 +129,6 @@ static burnish_status read_head(off_state *off, burnish_lexer *lexer) {
 
 /* ---- Rows ---- */
 
-static void fail_number(off_parser *p, const char *what, burnish_token token,
-                        burnish_number_status number) {
-    burnish_chunk_fail(p->chunk, BURNISH_STATUS_FORMAT, token.bytes, "%s",
-                       burnish_describe_number(what, token, number).text);
-}
-
 /* Numbers of the line, at most `most`; a comment ends them. Returns how many. is_whole[i]: 1 where
  * the number is written without a point. */
 static int read_values(off_parser *p, double *values, uint8_t *is_whole, int most) {
@@ -139,11 +137,13 @@ static int read_values(off_parser *p, double *values, uint8_t *is_whole, int mos
     int count = 0;
     while (count < most && burnish_lexer_double(&p->lexer, &token, &values[count], &number) &&
            *token.bytes != '#') {
-        is_whole[count] = !memchr(token.bytes, '.', token.size);
+        is_whole[count] = number != BURNISH_NUMBER_ODD && !memchr(token.bytes, '.', token.size);
         if (number == BURNISH_NUMBER_GARBAGE) {
             break;
         }
-        values[count] = number == BURNISH_NUMBER_OK ? values[count] : __builtin_nan("");
+        if (!burnish_chunk_takes(p->chunk, token, &number)) {
+            values[count] = __builtin_nan("");
+        }
         ++count;
     }
     return count;
@@ -238,11 +238,15 @@ static void settle_values(off_state *off, const uint8_t *at) {
 
 /* ---- Rows, as values of the mesh ---- */
 
-static void append_position(off_parser *p, const double values[3]) {
+/* is_bad: not finite, which is left out. */
+static void append_position(off_parser *p, const double values[3], int is_bad) {
     const double *origin = p->off->reader->mesh->origin;
     float *to = burnish_chunk_append(p->chunk, BURNISH_POSITION);
     for (int i = 0; i < 3 && to; ++i) {
-        burnish_place(values[i], origin[i], &to[i]);
+        to[i] = __builtin_nanf("");
+        if (!is_bad) {
+            burnish_place(values[i], origin[i], &to[i]);
+        }
     }
 }
 
@@ -260,24 +264,30 @@ static void read_vertex(off_parser *p) {
     burnish_token token;
     burnish_number_status number;
     double position[3], values[VALUES_MOST];
+    int is_bad = 0;
     uint8_t is_whole[VALUES_MOST];
     for (int i = 0; i < 3; ++i) {
         float unused;
         if (!burnish_lexer_double(&p->lexer, &token, &position[i], &number)) {
-            burnish_chunk_fail(p->chunk, BURNISH_STATUS_FORMAT, p->lexer.next,
-                               "vertex has %d number%s, not 3; repair the file", i,
-                               i == 1 ? "" : "s");
-            return;
+            is_bad = 1;
+            if (!burnish_chunk_pardon(p->chunk, 0, p->lexer.next,
+                                      "vertex has %d number%s, not 3; repair the file", i,
+                                      i == 1 ? "" : "s")) {
+                return;
+            }
+            break;
         }
-        if (number == BURNISH_NUMBER_OK && !burnish_double_to_float(position[i], &unused)) {
+        if (burnish_chunk_takes(p->chunk, token, &number) &&
+            !burnish_double_to_float(position[i], &unused)) {
             number = BURNISH_NUMBER_RANGE;
         }
-        if (number != BURNISH_NUMBER_OK) {
-            fail_number(p, "coordinate", token, number);
+        if (number != BURNISH_NUMBER_OK && !is_bad &&
+            !burnish_chunk_pardon_number(p->chunk, token, number)) {
             return;
         }
+        is_bad |= number != BURNISH_NUMBER_OK;
     }
-    append_position(p, position);
+    append_position(p, position, is_bad);
     if (!off->has_normals && !off->has_colors && !off->has_texcoords) {
         return;
     }
@@ -325,17 +335,12 @@ static void append_face_colors(off_parser *p, size_t triangles) {
     }
 }
 
-static int fail_corner(off_parser *p, burnish_token token) {
-    burnish_chunk_fail(p->chunk, BURNISH_STATUS_FORMAT, token.bytes,
-                       "vertex \"%s\" is out of range; there are %zu vertices, counted from 0",
-                       burnish_token_quote(token).text, p->off->vertex_count);
-    return 0;
-}
-
-/* Reads corners into the chunk's scratch array; they may continue in the next line. */
-static int read_corners(off_parser *p, size_t count) {
+/* Reads corners into the chunk's scratch array; they may continue in the next line. *is_bad: 1 if
+ * one has no vertex. */
+static int read_corners(off_parser *p, size_t count, int *is_bad) {
     for (size_t i = 0; i < count; ++i) {
         uint32_t *corners = burnish_chunk_scratch(p->chunk, i + 1);
+        burnish_lexer before = p->lexer;
         uint64_t index;
         if (!corners) {
             return 0;
@@ -349,18 +354,21 @@ static int read_corners(off_parser *p, size_t count) {
                                    i, count);
                 return 0;
             }
-            if (burnish_parse_integer(token, &written) != BURNISH_NUMBER_OK || written < 0) {
-                return fail_corner(p, token);
-            }
-            index = (uint64_t)written;
+            before.next = token.bytes;
+            const burnish_number_status number = burnish_chunk_index(p->chunk, token, &written);
+            index = number == BURNISH_NUMBER_OK && written >= 0 ? (uint64_t)written : UINT64_MAX;
         }
         if (index >= p->off->vertex_count) {
-            const burnish_token token = {p->lexer.next, 0};
-            burnish_chunk_fail(
-                p->chunk, BURNISH_STATUS_FORMAT, token.bytes,
-                "vertex %llu is out of range; there are %zu vertices, counted from 0",
-                (unsigned long long)index, p->off->vertex_count);
-            return 0;
+            burnish_token token = {0};
+            burnish_lexer_token(&before, &token);
+            if (!*is_bad &&
+                !burnish_chunk_pardon(p->chunk, 1, token.bytes,
+                                      "vertex \"%s\" is out of range; there are %zu "
+                                      "vertices, counted from 0",
+                                      burnish_token_quote(token).text, p->off->vertex_count)) {
+                return 0;
+            }
+            *is_bad = 1;
         }
         corners[i] = (uint32_t)index;
     }
@@ -371,6 +379,7 @@ static void read_face(off_parser *p) {
     const uint8_t *at = p->lexer.next;
     burnish_token token;
     int64_t count = -1;
+    int is_bad = 0;
     if (!burnish_lexer_token(&p->lexer, &token) ||
         burnish_parse_integer(token, &count) != BURNISH_NUMBER_OK || count < 0) {
         burnish_chunk_fail(p->chunk, BURNISH_STATUS_FORMAT, token.bytes,
@@ -378,7 +387,7 @@ static void read_face(off_parser *p) {
                            burnish_token_quote(token).text);
         return;
     }
-    if (!read_corners(p, (size_t)count)) {
+    if (!read_corners(p, (size_t)count, &is_bad) || is_bad) {
         return;
     }
     if (count < 3) {
@@ -495,7 +504,8 @@ static burnish_status off_read(burnish_reader *reader) {
     }
     burnish_reader_warn_group(reader, &off.few_corners);
     burnish_reader_warn_group(reader, &off.bad_colors);
-    if (status == BURNISH_STATUS_OK && reader->mesh->triangle_count == 0 && off.vertex_count > 0) {
+    if (status == BURNISH_STATUS_OK && reader->mesh->triangle_count == 0 && off.vertex_count > 0 &&
+        !reader->has_bad_faces) {
         return burnish_make_points(reader, NULL, 0);
     }
     if (status == BURNISH_STATUS_OK && reader->mesh->triangle_count == 0) {

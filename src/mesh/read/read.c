@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "base/bytes.h"
-#include "base/numbers.h"
 #include "image/decode/gunzip.h"
+#include "mesh/read/common/damage.h"
 #include "mesh/read/common/local_origin.h"
 #include "mesh/read/common/textures.h"
 #include "mesh/read/io/streaming.h"
@@ -89,21 +89,22 @@ burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const cha
 }
 
 /* A binary STL is recognised by its size, which is unknown for a stream. Here it is recognised by
- * its coordinates, which are finite and not all 0. */
+ * its coordinates, which are not all 0, and usual but for a few facets. */
 static int may_be_binary_stl(const uint8_t *bytes, size_t size) {
-    enum { COORDINATES = 9 };
+    enum { COORDINATES = 9, MOST_ODD = 64 /* one facet in so many */ };
     uint32_t any = 0;
+    size_t facets = 0, odd = 0;
     for (size_t at = BURNISH_STL_HEADER_SIZE; at + BURNISH_STL_FACET_SIZE <= size;
-         at += BURNISH_STL_FACET_SIZE) {
+         at += BURNISH_STL_FACET_SIZE, ++facets) {
+        int is_odd = 0;
         for (size_t i = 0; i < COORDINATES; ++i) {
             const uint32_t bits = burnish_load32(bytes + at + BURNISH_STL_NORMAL_SIZE + 4 * i);
-            if (!burnish_is_finite_bits(bits)) {
-                return 0;
-            }
+            is_odd |= burnish_is_odd_coordinate(bits);
             any |= bits << 1; /* without the sign */
         }
+        odd += (size_t)is_odd;
     }
-    return any && !burnish_are_text(bytes, size);
+    return any && odd <= facets / MOST_ODD && !burnish_are_text(bytes, size);
 }
 
 /* Wrapped text, or an archive. In UTF-16, more than half of a mesh's characters are ASCII. */
@@ -267,6 +268,11 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
         /* any bytes may be the facets of an STL whose count is wrong */
         status = what && *format == BURNISH_FORMAT_STL ? refuse_foreign(reader, what)
                                                        : formats[*format].reader->read(reader);
+        if (status == BURNISH_STATUS_FORMAT && reader->damage.count > 0) {
+            burnish_fail(reader->error, status, "%s", reader->damage.first.text);
+        } else if (status == BURNISH_STATUS_OK) {
+            status = burnish_drop_damage(reader);
+        }
         if (status == BURNISH_STATUS_FORMAT && what) {
             status = refuse_foreign(reader, what);
         } else if (status == BURNISH_STATUS_OK) {

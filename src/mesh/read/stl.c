@@ -15,7 +15,7 @@
 enum { LOOKED_AT = 512 };
 
 /* Events, in the order of the file. */
-enum { NORMAL, EXTRA, END, AFTER, NOTE_COUNT };
+enum { NORMAL, EXTRA, END, AFTER, BEFORE, SPLIT, CORNERS, NOTE_COUNT };
 
 typedef struct stl_state {
     burnish_reader *reader;
@@ -45,12 +45,25 @@ static int fail_expected(stl_parser *stl, const char *expected, burnish_token wo
     return 0;
 }
 
+/* "end facet" for "endfacet": whether the word is "end" and the rest follows, which is skipped. */
+static int joins_end(stl_parser *stl, const char *expected, burnish_token word) {
+    burnish_lexer line = stl->lexer;
+    burnish_token rest;
+    if (strncmp(expected, "end", 3) != 0 || !burnish_token_is_caseless(word, "end") ||
+        !burnish_lexer_token(&line, &rest) || !burnish_token_is_caseless(rest, expected + 3)) {
+        return 0;
+    }
+    stl->lexer = line;
+    burnish_chunk_note(stl->chunk, SPLIT, word.bytes);
+    return 1;
+}
+
 /* Reads one keyword, in any case, or fails with what is there instead. */
 static int expect_slowly(stl_parser *stl, const char *expected) {
     burnish_token word;
     char quoted[16];
     const int found = burnish_lexer_word(&stl->lexer, &word);
-    if (found && burnish_token_is_caseless(word, expected)) {
+    if (found && (burnish_token_is_caseless(word, expected) || joins_end(stl, expected, word))) {
         return 1;
     }
     snprintf(quoted, sizeof quoted, "\"%s\"", expected);
@@ -71,7 +84,7 @@ static int fail_number(stl_parser *stl, const char *what, burnish_token word,
 
 /* Skips words after "endloop" and "endfacet", which some programs write. */
 static void skip_extra(stl_parser *stl) {
-    static const char *const keywords[] = {"endfacet", "facet", "endsolid", "solid"};
+    static const char *const keywords[] = {"endfacet", "facet", "endsolid", "solid", "end"};
     const uint8_t *at = stl->lexer.next;
     while (at < stl->lexer.end && burnish_is_blank(*at)) {
         ++at;
@@ -135,10 +148,8 @@ static int read_to_outer(stl_parser *stl) {
                                                      : fail_expected(stl, "\"normal\"", word);
 }
 
-static int read_vertex(stl_parser *stl, float position[3]) {
-    if (!expect(stl, "vertex")) {
-        return 0;
-    }
+/* Three numbers after "vertex"; *is_bad: 1 if one of them is not finite. */
+static int read_vertex(stl_parser *stl, float position[3], int *is_bad) {
     for (int i = 0; i < 3; ++i) {
         burnish_token word;
         double value = 0;
@@ -146,45 +157,70 @@ static int read_vertex(stl_parser *stl, float position[3]) {
         if (!burnish_lexer_word_double(&stl->lexer, &word, &value, &number)) {
             return fail_end(stl, "\"vertex x y z\"");
         }
-        if (number == BURNISH_NUMBER_OK && !burnish_place(value, stl->origin[i], &position[i])) {
+        if (burnish_chunk_takes(stl->chunk, word, &number) &&
+            !burnish_place(value, stl->origin[i], &position[i])) {
             number = BURNISH_NUMBER_RANGE;
         }
-        if (number != BURNISH_NUMBER_OK) {
+        if (number == BURNISH_NUMBER_GARBAGE) {
             return fail_number(stl, "coordinate", word, number);
         }
+        if (number != BURNISH_NUMBER_OK && !*is_bad &&
+            !burnish_chunk_pardon_number(stl->chunk, word, number)) {
+            return 0;
+        }
+        *is_bad |= number != BURNISH_NUMBER_OK;
     }
     return 1;
 }
 
-/* Reads the rest of a facet after "facet". */
-static void read_facet(stl_parser *stl, burnish_token facet) {
-    burnish_chunk *chunk = stl->chunk;
-    float positions[9];
-    int good = read_to_outer(stl) && expect(stl, "loop");
-    for (int i = 0; i < 3 && good; ++i) {
-        good = read_vertex(stl, positions + 3 * i);
-    }
-    if (!good || !expect(stl, "endloop")) {
-        return;
-    }
-    skip_extra(stl);
-    if (!expect(stl, "endfacet")) {
-        return;
-    }
-    skip_extra(stl);
+/* Appends a triangle of a facet that begins at `facet`. Returns 0 after an error. */
+static int append_triangle(burnish_chunk *chunk, const float positions[9], burnish_token facet) {
     if (chunk->exact && chunk->triangles_before + chunk->data.triangle_count >=
                             chunk->exact->input->options->max_triangles) {
         chunk->status = burnish_fail_triangles(chunk->exact, facet.bytes);
-        return;
+        return 0;
     }
     for (int i = 0; i < 3; ++i) {
         float *to = burnish_chunk_append(chunk, BURNISH_POSITION);
         if (!to) {
-            return;
+            return 0;
         }
         memcpy(to, positions + 3 * i, 3 * sizeof *to);
     }
     ++chunk->data.triangle_count;
+    return 1;
+}
+
+/* Reads the rest of a facet after "facet". One with a bad coordinate is left out; more than three
+ * vertices make a fan. */
+static void read_facet(stl_parser *stl, burnish_token facet) {
+    burnish_chunk *chunk = stl->chunk;
+    const size_t before = chunk->data.triangle_count;
+    float positions[9];
+    int is_bad = 0, good = read_to_outer(stl) && expect(stl, "loop");
+    for (int i = 0; good && (i < 3 ? (good = expect(stl, "vertex"))
+                                   : burnish_lexer_skip_word(&stl->lexer, "vertex"));
+         ++i) {
+        if (i == 3) {
+            burnish_chunk_note(chunk, CORNERS, facet.bytes);
+        }
+        if (i >= 3) {
+            memcpy(positions + 3, positions + 6, 3 * sizeof *positions);
+        }
+        good = read_vertex(stl, positions + 3 * (i < 2 ? i : 2), &is_bad) &&
+               (i < 2 || is_bad || append_triangle(chunk, positions, facet));
+    }
+    if (!good || !expect(stl, "endloop")) {
+        return;
+    }
+    if (is_bad) {
+        chunk->data.triangle_count = before;
+        chunk->data.streams[BURNISH_POSITION].count = 3 * before;
+    }
+    skip_extra(stl);
+    if (expect(stl, "endfacet")) {
+        skip_extra(stl);
+    }
 }
 
 /* Every chunk except the first begins at a "facet", within a solid, and ends before one. "facet" at
@@ -212,12 +248,15 @@ static void stl_parse(const void *state, burnish_chunk *chunk) {
             continue;
         }
         const int begins = burnish_token_is_caseless(word, "solid");
-        if (begins || (in_solid && burnish_token_is_caseless(word, "endsolid"))) {
+        if (begins || (in_solid && (burnish_token_is_caseless(word, "endsolid") ||
+                                    joins_end(&stl, "endsolid", word)))) {
             if (begins && in_solid) {
                 burnish_chunk_note(chunk, END, word.bytes);
             }
             in_solid = begins;
             seen = 1;
+        } else if (!seen && *word.bytes == '#') {
+            burnish_chunk_note(chunk, BEFORE, word.bytes);
         } else if (in_solid || !seen) {
             fail_expected(&stl, in_solid ? "\"facet\" or \"endsolid\"" : "\"solid\"", word);
         } else {
@@ -245,7 +284,10 @@ static burnish_status stl_accept(void *state, const burnish_chunk *chunk) {
     static const char *const warnings[] = {[NORMAL] = "a normal is not 3 numbers; it was ignored",
                                            [EXTRA] = "text in a facet's line was ignored",
                                            [END] = "\"endsolid\" is missing",
-                                           [AFTER] = "text after \"endsolid\" was ignored"};
+                                           [AFTER] = "text after \"endsolid\" was ignored",
+                                           [BEFORE] = "text before \"solid\" was ignored",
+                                           [SPLIT] = "\"end\" was joined with the next word",
+                                           [CORNERS] = "a facet has more than 3 vertices"};
     stl_state *stl = state;
     for (size_t i = 0; i < chunk->event_count; ++i) {
         const burnish_chunk_event *event = &chunk->events[i];
@@ -298,7 +340,13 @@ static burnish_status number_corners(burnish_reader *reader) {
 static int starts_as_text(const uint8_t *bytes, size_t size) {
     burnish_lexer lexer = burnish_lexer_open(bytes, size, 0);
     burnish_token word;
-    return burnish_lexer_word(&lexer, &word) && burnish_token_is_caseless(word, "solid");
+    while (burnish_lexer_word(&lexer, &word)) {
+        if (*word.bytes != '#') { /* a comment */
+            return burnish_token_is_caseless(word, "solid");
+        }
+        burnish_lexer_rest(&lexer);
+    }
+    return 0;
 }
 
 /* A size that matches the count is not an accident, whatever the file is called. */

@@ -19,6 +19,14 @@ static inline int burnish_is_binary_stl(const uint8_t *head, size_t size) {
            rest / BURNISH_STL_FACET_SIZE == burnish_load32(head + BURNISH_STL_TITLE_SIZE);
 }
 
+/* Coordinates that no unit of length produces, but that the bytes of other files do: below 2^-100
+ * but not 0, or 2^101 and above. */
+static inline int burnish_is_odd_coordinate(uint32_t bits) {
+    enum { LEAST = 27, MOST = 227, EXPONENT_AT = 23 };
+    const uint32_t exponent = bits >> EXPONENT_AT & 0xFF;
+    return (bits & 0x7FFFFFFFu) != 0 && (exponent < LEAST || exponent > MOST);
+}
+
 /* Reads a binary file of at least a header: all facets, or a preview if they exceed the memory
  * limit. Errors: as burnish_read. */
 burnish_status burnish_stl_read_binary(burnish_reader *reader);

@@ -58,21 +58,18 @@ static void convert_facets(void *user_data, const uint8_t *facets, size_t first,
     atomic_fetch_and(&context->all, all);
 }
 
-static burnish_status fail_coordinate(burnish_reader *reader, const uint8_t *facet) {
-    const uint8_t *at = facet + NORMAL_SIZE;
-    while (burnish_is_finite_bits(burnish_load32(at))) {
-        at += 4;
+/* Of each facet from the first bad one on that has such a coordinate. */
+static void note_bad_facets(burnish_reader *reader, size_t first, size_t count) {
+    for (size_t i = first; i < count; ++i) {
+        const uint8_t *at = reader->input->bytes + HEADER_SIZE + i * FACET_SIZE + NORMAL_SIZE;
+        for (int k = 0; k < 9; ++k, at += 4) {
+            if (!burnish_is_finite_bits(burnish_load32(at))) {
+                burnish_reader_note(reader, &reader->damage, at,
+                                    "coordinate is not finite; repair the mesh");
+                break;
+            }
+        }
     }
-    return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, at,
-                               "coordinate is not finite; repair the mesh");
-}
-
-/* Coordinates that no unit of length produces, but that the bytes of other files do: below 2^-100
- * but not 0, or 2^101 and above. */
-static int is_odd_coordinate(uint32_t bits) {
-    enum { LEAST = 27, MOST = 227, EXPONENT_AT = 23 };
-    const uint32_t exponent = bits >> EXPONENT_AT & 0xFF;
-    return (bits & 0x7FFFFFFFu) != 0 && (exponent < LEAST || exponent > MOST);
 }
 
 /* If the count does not match the size, the facets decide whether these bytes are STL: the file is
@@ -86,7 +83,7 @@ static burnish_status check_facets(burnish_reader *reader, size_t count) {
         int is_odd = 0;
         uint32_t any = 0;
         for (int k = 0; k < 9; ++k, at += 4) {
-            is_odd |= is_odd_coordinate(burnish_load32(at));
+            is_odd |= burnish_is_odd_coordinate(burnish_load32(at));
             any |= burnish_load32(at);
         }
         odd += is_odd != 0;
@@ -235,7 +232,6 @@ static void convert_to_points(void *user_data, const uint8_t *bytes, size_t firs
             memcpy(&corners[k], &bits, sizeof bits);
             if (!burnish_is_finite_bits(bits)) {
                 atomic_store(&f->is_bad, 1);
-                corners[k] = 0;
             }
         }
         burnish_thinning_facet(corners, burnish_positions(f->mesh) + 3 * i,
@@ -260,8 +256,8 @@ static burnish_status read_preview(burnish_reader *reader, size_t count, size_t 
         return status;
     }
     if (atomic_load(&f.is_bad)) {
-        return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
-                                   "a coordinate is not finite; repair the file");
+        burnish_reader_note(reader, &reader->damage, NULL,
+                            "a coordinate is not finite; repair the file");
     }
     mesh->streams[BURNISH_POSITION].count = mesh->streams[BURNISH_NORMAL].count = kept;
     burnish_move_positions(mesh);
@@ -297,11 +293,10 @@ burnish_status burnish_stl_read_binary(burnish_reader *reader) {
         return status;
     }
     const size_t bad = atomic_load(&context.bad);
-    if (bad < count) {
-        return reader->input->streamed
-                   ? burnish_stop_streaming(reader)
-                   : fail_coordinate(reader, reader->input->bytes + HEADER_SIZE + bad * FACET_SIZE);
+    if (bad < count && reader->input->streamed) {
+        return burnish_stop_streaming(reader);
     }
+    note_bad_facets(reader, bad, count);
     mesh->streams[BURNISH_POSITION].count = 3 * count;
     mesh->triangle_count = count;
     burnish_move_positions(mesh);

@@ -65,6 +65,18 @@ static void test_refused(void) {
     }
 }
 
+static void test_left_out(void) {
+    CHECK_OK(
+        read_3mf(MODEL("<object id='1'><mesh>" TETRAHEDRON "<triangles><triangle v1='0' v2='1' "
+                       "v3='9'/>" FACES "</triangles></mesh></object>",
+                       ITEM_1)),
+        fault);
+    CHECK1(got.triangle_count == 4 && got.warning_count == 1);
+    CHECK_TEXT(got.warnings[0],
+               "mesh.3mf: 3D/a.model:4: v3 9 is out of range; there are 4 vertices, "
+               "counted from 0; it was left out");
+}
+
 /* Objects that hold the one before twice: 2^n of them, from n lines. */
 static void write_doubled(char *model, unsigned count, int is_empty, unsigned times) {
     char *to = model;
@@ -194,6 +206,7 @@ int main(int count, char **arguments) {
         return EXIT_SUCCESS;
     }
     RUN(test_refused());
+    RUN(test_left_out());
     RUN(test_nesting());
     RUN(test_limits());
     RUN(test_archives());

@@ -25,8 +25,10 @@ static const struct {
     {"", "mesh.stl: byte 0: the file is empty"},
     {"vn 0 0 1\n", "mesh.obj: no faces among 0 vertices; export the mesh with its faces"},
     {"v 0 0\n", "mesh.obj:1: vertex has 2 numbers; write v x y z or v x y z r g b"},
-    {"\n\nv 0 0 1,5\n",
-     "mesh.obj:3: coordinate \"1,5\" is not a number; write it like 1.5 or -2e-3"},
+    {"\n\nv 0.5 1,500 0.5\n", /* thousands, perhaps */
+     "mesh.obj:3: coordinate \"1,500\" is not a number; write it like 1.5 or -2e-3"},
+    {"v 0 0 1,500,000\n",
+     "mesh.obj:1: coordinate \"1,500,000\" is not a number; write it like 1.5 or -2e-3"},
     {"v 0 nan 0\n", "mesh.obj:1: coordinate \"nan\" is not finite; repair or remove it"},
     {"v 0 0 -Infinity\n",
      "mesh.obj:1: coordinate \"-Infinity\" is not finite; repair or remove it"},
@@ -159,8 +161,10 @@ static void test_binary_messages(void) {
                 "mesh.stl: byte 80: 2 triangles are announced, but the file ends after "
                 "1; it is truncated or not STL");
     memcpy(stl.bytes + 84 + 50 + 12 + 8, "\0\0\x80\x7f", 4); /* infinity as z of facet 1 */
+    CHECK_OK(read_bytes(BURNISH_FORMAT_STL, stl.bytes, stl.size), fault);
+    memset(stl.bytes + 84 + 12, 0xFF, 4);
     check_fault(read_bytes(BURNISH_FORMAT_STL, stl.bytes, stl.size), BURNISH_STATUS_FORMAT,
-                "mesh.stl: byte 154: coordinate is not finite; repair the mesh");
+                "mesh.stl: byte 96: coordinate is not finite; repair the mesh");
 
     put_ply(&ply, 2);
     CHECK1(read_bytes(BURNISH_FORMAT_PLY, ply.bytes, ply.size - 1) == BURNISH_STATUS_FORMAT);

@@ -349,10 +349,10 @@ static void test_many_warnings(void) {
 static void test_first_error(void) {
     static const struct {
         const char *mesh, *error;
-    } cases[] = {{"v 0 0 0\nv 0\nmtllib my parts/a b.mtl\n",
+    } cases[] = {{"v 0 0 0\nv 0\nmtllib my parts/a b.mtl\nf 1 1 2\n",
                   "mesh.obj:2: vertex has 1 number; write v x y z or v x y z r g b"},
                  {"mtllib none.mtl\nv 0 0 0\nf 1 1 9 x\n",
-                  "mesh.obj:3: face corner \"x\" is not an index; write v, v/t, v//n or v/t/n"}};
+                  "mesh.obj:3: face refers to vertex 9, but the file has 1; correct the index"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         check_fault(read_with_library(cases[i].mesh, "newmtl a\nKd red\n"), BURNISH_STATUS_FORMAT,
                     cases[i].error);

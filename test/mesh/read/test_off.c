@@ -158,7 +158,7 @@ static void test_messages(void) {
         {"OFF\n4 2 0\n" SQUARE "3 0 1 2\n",
          "a.off:7: the file ends after 1 of 2 faces; the file is truncated"},
         {"OFF\n4 1 0\n" SQUARE "3 0 1 4\n",
-         "a.off:7: vertex 4 is out of range; there are 4 vertices, counted from 0"},
+         "a.off:7: vertex \"4\" is out of range; there are 4 vertices, counted from 0"},
         {"OFF\n4 1 0\n" SQUARE "3 0 1 -2\n",
          "a.off:7: vertex \"-2\" is out of range; there are 4 vertices, counted from 0"},
         {"OFF\n4 1 0\n" SQUARE "9999999999 0 1 2\n",

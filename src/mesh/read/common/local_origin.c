@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "mesh/read/common/damage.h"
 #include "mesh/read/common/textures.h"
 
 enum {
@@ -34,8 +35,9 @@ static box measure_box(const burnish_mesh_data *mesh, size_t step) {
     for (size_t i = 0; i < count; i += step) {
         const float *p = positions + 3 * (corners ? (size_t)corners[i] : i);
         for (int k = 0; k < 3; ++k) {
-            low[k] = i == 0 || p[k] < low[k] ? p[k] : low[k];
-            high[k] = i == 0 || p[k] > high[k] ? p[k] : high[k];
+            /* NaN, which is left out later, gives way */
+            low[k] = i == 0 || p[k] < low[k] || low[k] != low[k] ? p[k] : low[k];
+            high[k] = i == 0 || p[k] > high[k] || high[k] != high[k] ? p[k] : high[k];
         }
     }
     for (int k = 0; k < 3 && count > 0; ++k) {
@@ -119,6 +121,14 @@ burnish_status burnish_read_from_origin(burnish_reader *reader,
             burnish_mesh_data_drop(mesh, (burnish_attribute)k);
         }
         status = read(&other);
+        if (status == BURNISH_STATUS_OK) {
+            status = burnish_drop_damage(&other);
+        }
+        if (status == BURNISH_STATUS_OK && (again.triangle_count != mesh->triangle_count ||
+                                            again.point_count != mesh->point_count)) {
+            status = burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
+                                         "coordinates are too large; scale the mesh");
+        }
         burnish_reader_close(&other);
         memcpy(mesh->streams, again.streams, sizeof mesh->streams);
         burnish_mesh_data *const old = mesh->negatives;

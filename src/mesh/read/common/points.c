@@ -1,6 +1,8 @@
 /* Points: their size and normals. Lines: rods of eight sides, with round ends if they are few. */
 #include "mesh/read/common/points.h"
 
+#include "mesh/read/common/damage.h"
+
 #include <float.h>
 
 #include "core/vec3.h"
@@ -282,7 +284,12 @@ burnish_status burnish_make_points(burnish_reader *reader, const burnish_segment
                                    size_t count) {
     burnish_mesh_data *mesh = reader->mesh;
     if (count == 0) {
-        return make_cloud(reader);
+        burnish_drop_points(reader);
+        return mesh->streams[BURNISH_POSITION].count > 0 ? make_cloud(reader)
+                                                         : BURNISH_STATUS_FORMAT;
+    }
+    if (reader->damage.count > 0) {
+        burnish_fill_positions(mesh);
     }
     const burnish_status status = burnish_check_points(reader, count, 1);
     if (status != BURNISH_STATUS_OK) {

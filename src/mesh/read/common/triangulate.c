@@ -3,6 +3,8 @@
  * neighbours (J. O'Rourke, "Computational Geometry in C", 1.5), hence O(n^2) in all. */
 #include "mesh/read/common/triangulate.h"
 
+#include "mesh/read/common/damage.h"
+
 enum { CORNERS = BURNISH_POLYGON_CORNERS };
 
 typedef struct point {
@@ -208,6 +210,7 @@ static void cut_range(void *user_data, size_t first, size_t end) {
 }
 
 burnish_status burnish_cut_polygons(burnish_reader *reader) {
+    burnish_mark_damage(reader);
     burnish_tasks_ranges(reader->mesh->tasks, reader->polygon_count, 1 << 12, cut_range, reader);
     return burnish_tasks_check(reader->mesh->tasks, reader->error);
 }

@@ -8,8 +8,10 @@
 #include <stdatomic.h>
 
 #include "base/elementary.h"
+#include "base/numbers.h"
 #include "core/srgb.h"
 #include "mesh/read/common/beside_faces.h"
+#include "mesh/read/common/damage.h"
 #include "mesh/read/common/local_origin.h"
 #include "mesh/read/common/textures.h"
 #include "mesh/read/io/budget.h"
@@ -120,7 +122,8 @@ static void put_texcoord(const burnish_gltf_accessor *texcoord, size_t vertex, f
     }
 }
 
-/* Vertex `from` of the primitive as vertex `at` of the mesh. Returns 0 on failure. */
+/* Vertex `from` of the primitive as vertex `at` of the mesh. Returns 0 if it can't be placed: its
+ * position is NaN then. */
 static int convert_vertex(gltf_drawer *drawer, uint32_t from, size_t at) {
     burnish_mesh_data *mesh = drawer->mesh;
     double p[3], n[3] = {0, 0, 0};
@@ -128,10 +131,17 @@ static int convert_vertex(gltf_drawer *drawer, uint32_t from, size_t at) {
     if (drawer->normal) {
         burnish_gltf_element(drawer->normal, from, n);
     }
-    if ((drawer->moves && !burnish_gltf_move(drawer->gltf, &drawer->shape, from, p, n)) ||
-        !put_place(drawer, p, n, burnish_positions(mesh) + 3 * at,
-                   drawer->has[BURNISH_NORMAL] ? burnish_normals(mesh) + 3 * at : NULL)) {
+    float *to = burnish_positions(mesh) + 3 * at,
+          *to_normal = drawer->has[BURNISH_NORMAL] ? burnish_normals(mesh) + 3 * at : NULL;
+    if (drawer->moves && !burnish_gltf_move(drawer->gltf, &drawer->shape, from, p, n)) {
         return 0;
+    }
+    const int is_placed = put_place(drawer, p, n, to, to_normal);
+    for (int i = 0; i < 3 && !is_placed; ++i) {
+        to[i] = __builtin_nanf("");
+        if (to_normal) {
+            to_normal[i] = 0;
+        }
     }
     if (drawer->has[BURNISH_TANGENT]) {
         put_tangent(drawer, from, (float *)mesh->streams[BURNISH_TANGENT].items + 4 * at);
@@ -145,16 +155,15 @@ static int convert_vertex(gltf_drawer *drawer, uint32_t from, size_t at) {
                          (float *)mesh->streams[texcoord_streams[i]].items + 2 * at);
         }
     }
-    return 1;
+    return is_placed;
 }
 
-/* Ends at the first vertex that can't be placed, and records the first of all threads. */
+/* Records the first vertex of all threads that can't be placed. */
 static void convert_range(void *context, size_t first, size_t end) {
     gltf_drawer *drawer = context;
     for (size_t i = first; i < end; ++i) {
         if (!convert_vertex(drawer, drawer->sources[i], drawer->base + i)) {
             burnish_lower_to(&drawer->bad, i);
-            return;
         }
     }
 }
@@ -171,11 +180,13 @@ static void convert_vertices(gltf_drawer *drawer) {
         burnish_tasks_ranges(drawer->mesh->tasks, count, GRAIN, convert_range, drawer);
         gltf->status = burnish_tasks_check(drawer->mesh->tasks, gltf->reader->error);
     }
-    const size_t bad = atomic_load(&drawer->bad);
-    if (bad != SIZE_MAX && gltf->status == BURNISH_STATUS_OK) {
-        burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, drawer->position->value,
-                          "position %u is not finite, or beyond 3.4e38; repair the mesh",
-                          drawer->sources[bad]);
+    for (size_t i = atomic_load(&drawer->bad); i < count && gltf->status == BURNISH_STATUS_OK;
+         ++i) {
+        if (!burnish_is_finitef(burnish_positions(drawer->mesh)[3 * (drawer->base + i)])) {
+            burnish_gltf_note(gltf, &gltf->reader->damage, drawer->position->value,
+                              "position %u is not finite, or beyond 3.4e38; repair the mesh",
+                              drawer->sources[i]);
+        }
     }
 }
 
@@ -195,14 +206,11 @@ static uint32_t take_vertex(gltf_drawer *drawer, uint32_t vertex) {
     return at;
 }
 
-/* Errors of earlier vertices take precedence over an error of an index. */
-static void fail_index(gltf_drawer *drawer, uint32_t index) {
-    convert_vertices(drawer);
-    if (drawer->gltf->status == BURNISH_STATUS_OK) {
-        burnish_gltf_fail(drawer->gltf, BURNISH_STATUS_FORMAT, drawer->indices->value,
-                          "index %u is not below the %zu positions; the file is damaged", index,
-                          drawer->position->count);
-    }
+/* Of a triangle, line or point, which is left out. */
+static void note_index(gltf_drawer *drawer, uint32_t index) {
+    burnish_gltf_note(drawer->gltf, &drawer->gltf->reader->damage, drawer->indices->value,
+                      "index %u is not below the %zu positions; the file is damaged", index,
+                      drawer->position->count);
 }
 
 /* Corner k of triangle i, in the order that keeps the winding (section 3.7.2.1). */
@@ -226,18 +234,19 @@ static void draw_triangles(gltf_drawer *drawer) {
     burnish_mesh_data *mesh = drawer->mesh;
     for (size_t i = 0; i < drawer->primitive->element_count; ++i) {
         uint32_t *corners = mesh->streams[BURNISH_POSITION].corners + 3 * mesh->triangle_count;
-        for (unsigned k = 0; k < 3; ++k) {
+        int is_good = 1;
+        for (unsigned k = 0; k < 3 && is_good; ++k) {
             const uint32_t index = corner_of(drawer, i, k), vertex = take_vertex(drawer, index);
-            if (vertex == BURNISH_NONE) {
-                fail_index(drawer, index);
-                return;
+            is_good = vertex != BURNISH_NONE;
+            if (!is_good) {
+                note_index(drawer, index);
             }
             corners[drawer->shape.is_mirrored && k > 0 ? 3 - k : k] = vertex;
         }
         if (mesh->triangle_materials) {
             mesh->triangle_materials[mesh->triangle_count] = drawer->material;
         }
-        ++mesh->triangle_count;
+        mesh->triangle_count += (size_t)is_good;
         if (i % STEP == STEP - 1) {
             gltf->status = burnish_tasks_check(mesh->tasks, gltf->reader->error);
             if (gltf->status != BURNISH_STATUS_OK) {
@@ -261,15 +270,16 @@ static void draw_lines_or_points(gltf_drawer *drawer) {
     const size_t ends = drawer->kind == BURNISH_GLTF_LINES ? 2 : 1;
     for (size_t i = 0; i < drawer->primitive->element_count; ++i) {
         uint32_t vertices[2] = {0, 0};
-        for (size_t k = 0; k < ends; ++k) {
+        int is_good = 1;
+        for (size_t k = 0; k < ends && is_good; ++k) {
             const uint32_t index = end_of(drawer, i, k);
             vertices[k] = take_vertex(drawer, index);
-            if (vertices[k] == BURNISH_NONE) {
-                fail_index(drawer, index);
-                return;
+            is_good = vertices[k] != BURNISH_NONE;
+            if (!is_good) {
+                note_index(drawer, index);
             }
         }
-        if (drawer->segments) {
+        if (drawer->segments && is_good) {
             drawer->segments[drawer->segment_count++] =
                 (burnish_segment){vertices[0], vertices[ends - 1]};
         }
@@ -516,6 +526,7 @@ static void reserve_streams(gltf_drawer *drawer, size_t segments) {
 static void draw_all(gltf_drawer *drawer) {
     drawer->mesh->streams[BURNISH_POSITION].count = drawer->mesh->triangle_count = 0;
     drawer->segment_count = 0;
+    drawer->gltf->reader->damage = (burnish_warning_group){0};
     if (drawer->gltf->status == BURNISH_STATUS_OK) {
         for_each_primitive(drawer, draw_primitive);
     }
@@ -546,9 +557,26 @@ static void choose_kind(gltf_drawer *drawer) {
     }
 }
 
+/* Leaves out lines whose ends can't be placed. */
+static void drop_segments(gltf_drawer *drawer) {
+    size_t kept = 0;
+    for (size_t i = 0; i < drawer->segment_count; ++i) {
+        const burnish_segment segment = drawer->segments[i];
+        if (burnish_is_good_position(drawer->mesh, segment.from) &&
+            burnish_is_good_position(drawer->mesh, segment.to)) {
+            drawer->segments[kept++] = segment;
+        }
+    }
+    drawer->segment_count = kept;
+    burnish_fill_positions(drawer->mesh);
+}
+
 /* Lines or points become solids, with the colours of vertices alone. */
 static void make_solids(gltf_drawer *drawer) {
     burnish_gltf *gltf = drawer->gltf;
+    if (gltf->reader->damage.count > 0 && drawer->segments) {
+        drop_segments(drawer);
+    }
     gltf->status = burnish_make_points(gltf->reader, drawer->segments, drawer->segment_count);
     drawer->mesh->materials[0] = burnish_material_default();
     drawer->mesh->material_count = 1;
@@ -580,6 +608,9 @@ static void add_beside(burnish_gltf *gltf) {
          ++kind) {
         drawer.kind = (burnish_gltf_kind)kind;
         for_each_primitive(&drawer, draw_primitive);
+    }
+    if (gltf->reader->damage.count > 0) {
+        drop_segments(&drawer);
     }
     if (gltf->status == BURNISH_STATUS_OK) {
         gltf->status =

@@ -20,6 +20,47 @@ burnish_status burnish_chunk_fail(burnish_chunk *chunk, burnish_status status, c
     return status;
 }
 
+int burnish_chunk_pardon(burnish_chunk *chunk, int is_face, const uint8_t *at, const char *format,
+                         ...) {
+    char message[300];
+    va_list arguments;
+    if (!chunk->exact) {
+        chunk->status = BURNISH_STATUS_FORMAT;
+        return 0;
+    }
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    burnish_reader_note(chunk->exact, &chunk->exact->damage, at, "%s", message);
+    chunk->exact->has_bad_faces |= is_face;
+    return 1;
+}
+
+int burnish_chunk_pardon_number(burnish_chunk *chunk, burnish_token token,
+                                burnish_number_status number) {
+    return burnish_chunk_pardon(chunk, 0, token.bytes, "%s",
+                                burnish_describe_number("coordinate", token, number).text);
+}
+
+void burnish_chunk_note_odd(burnish_chunk *chunk, burnish_token token) {
+    chunk->odd = chunk->odd_count++ == 0 ? token : chunk->odd;
+}
+
+burnish_number_status burnish_chunk_index(burnish_chunk *chunk, burnish_token token,
+                                          int64_t *value) {
+    static const double most = 4294967296;
+    double number;
+    const burnish_number_status status = burnish_parse_integer(token, value);
+    if (status != BURNISH_NUMBER_GARBAGE ||
+        burnish_parse_double(token, &number) != BURNISH_NUMBER_OK ||
+        !(number > -most && number < most && number == (double)(int64_t)number)) {
+        return status;
+    }
+    *value = (int64_t)number;
+    burnish_chunk_note_odd(chunk, token);
+    return BURNISH_NUMBER_OK;
+}
+
 /* After an allocation for the chunk. */
 static int has_memory(burnish_chunk *chunk) {
     if (chunk->data.memory.status != BURNISH_STATUS_OK) {

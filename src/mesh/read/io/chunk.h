@@ -40,7 +40,9 @@ typedef struct burnish_chunk {
     size_t rows;
     const uint8_t *rows_end; /* where the last row ends */
     int is_odd;              /* set by the grammar: some of it is unusual */
-    burnish_status status;   /* not OK: must be parsed again, exactly */
+    size_t odd_count;        /* words in an unusual form, and the first of them */
+    burnish_token odd;
+    burnish_status status; /* not OK: must be parsed again, exactly */
 
     /* Totals before it: known after parsing, or if `exact` is not NULL. */
     burnish_reader *exact; /* takes messages */
@@ -57,6 +59,34 @@ __attribute__((format(printf, 4, 5))) burnish_status burnish_chunk_fail(burnish_
                                                                         burnish_status status,
                                                                         const uint8_t *at,
                                                                         const char *format, ...);
+
+/* Notes a bad value in reader->damage, or a bad face. Returns 1 if parsing goes on without it; 0 if
+ * the chunk ends here, as it must be parsed exactly to have a message. */
+__attribute__((format(printf, 4, 5))) int
+burnish_chunk_pardon(burnish_chunk *chunk, int is_face, const uint8_t *at, const char *format, ...);
+
+/* The same for a coordinate that is no finite number. */
+int burnish_chunk_pardon_number(burnish_chunk *chunk, burnish_token token,
+                                burnish_number_status number);
+
+/* Records a word in an unusual form, which is accepted. */
+void burnish_chunk_note_odd(burnish_chunk *chunk, burnish_token token);
+
+/* Whether a number can be used. ODD becomes OK, and is recorded; chunk NULL: it is not. */
+static inline int burnish_chunk_takes(burnish_chunk *chunk, burnish_token token,
+                                      burnish_number_status *number) {
+    if (*number == BURNISH_NUMBER_ODD) {
+        *number = BURNISH_NUMBER_OK;
+        if (chunk) {
+            burnish_chunk_note_odd(chunk, token);
+        }
+    }
+    return *number == BURNISH_NUMBER_OK;
+}
+
+/* A whole number, also as "2.0", which is recorded. */
+burnish_number_status burnish_chunk_index(burnish_chunk *chunk, burnish_token token,
+                                          int64_t *value);
 
 /* Makes room for one more item. */
 int burnish_chunk_grow(burnish_chunk *chunk, burnish_attribute attribute);

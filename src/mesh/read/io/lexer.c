@@ -287,6 +287,33 @@ int burnish_lexer_token(burnish_lexer *lexer, burnish_token *token) {
     return 1;
 }
 
+/* "1,5" in a line without points after it, and "1.5D+00". A comma that might separate thousands or
+ * values is no decimal comma. */
+static __attribute__((noinline)) burnish_number_status
+parse_odd(const burnish_lexer *lexer, burnish_token token, double *value) {
+    uint8_t copy[64];
+    size_t commas = 0;
+    int has_point = 0;
+    for (size_t i = 0; i < token.size && i < sizeof copy; ++i) {
+        const uint8_t c = token.bytes[i];
+        const int is_between = i > 0 && i + 1 < token.size && is_digit(token.bytes[i - 1]) &&
+                               is_digit(token.bytes[i + 1]);
+        commas += c == ',' ? is_between ? 1 : 2 : 0;
+        has_point |= c == '.';
+        copy[i] = c == ',' ? '.' : (c | 0x20) == 'd' ? 'e' : c;
+    }
+    if (commas == 1) {
+        const uint8_t *end = find_line_end(lexer->next, lexer->end);
+        has_point |= memchr(lexer->next, '.', (size_t)(end - lexer->next)) != NULL;
+    }
+    if (token.size > sizeof copy || commas > 1 || (commas == 1 && has_point)) {
+        return BURNISH_NUMBER_GARBAGE;
+    }
+    const burnish_number_status status =
+        burnish_parse_double((burnish_token){copy, token.size}, value);
+    return status == BURNISH_NUMBER_OK ? BURNISH_NUMBER_ODD : status;
+}
+
 static inline int read_double(burnish_lexer *lexer, burnish_token *token, double *value,
                               burnish_number_status *status) {
     const uint8_t *first = skip_blanks(lexer);
@@ -305,6 +332,9 @@ static inline int read_double(burnish_lexer *lexer, burnish_token *token, double
         return 0;
     }
     *status = burnish_parse_double(*token, value);
+    if (*status == BURNISH_NUMBER_GARBAGE) {
+        *status = parse_odd(lexer, *token, value);
+    }
     return 1;
 }
 
@@ -319,7 +349,8 @@ int burnish_lexer_float(burnish_lexer *lexer, burnish_token *token, float *value
     if (!read_double(lexer, token, &wide, status)) {
         return 0;
     }
-    if (*status == BURNISH_NUMBER_OK && !burnish_double_to_float(wide, value)) {
+    if ((*status == BURNISH_NUMBER_OK || *status == BURNISH_NUMBER_ODD) &&
+        !burnish_double_to_float(wide, value)) {
         *status = BURNISH_NUMBER_RANGE;
     }
     return 1;

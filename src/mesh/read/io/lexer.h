@@ -77,6 +77,7 @@ typedef enum burnish_number_status {
     BURNISH_NUMBER_OK,
     BURNISH_NUMBER_GARBAGE,    /* empty, hexadecimal, or not a decimal number */
     BURNISH_NUMBER_NOT_FINITE, /* nan or inf in one of the spellings that C libraries print */
+    BURNISH_NUMBER_ODD,        /* a lexer's only: a decimal comma, or D for e; the value is set */
     BURNISH_NUMBER_RANGE       /* rounds to infinity, or an integer beyond 18 digits */
 } burnish_number_status;
 

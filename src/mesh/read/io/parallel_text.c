@@ -13,6 +13,7 @@ enum { CHUNKS_PER_THREAD = 4 /* in a wave: enough to keep threads busy until the
 typedef struct forward_chunk {
     const uint8_t *first, *end;
     size_t before[BURNISH_ATTRIBUTE_COUNT], highest[BURNISH_ATTRIBUTE_COUNT];
+    size_t damage, damage_before; /* noted in it, and before it, so far */
 } forward_chunk;
 
 typedef struct chunk_driver {
@@ -46,6 +47,7 @@ static void reset_chunk(burnish_chunk *chunk) {
     chunk->triangles_before = chunk->rows_before = chunk->rows = 0;
     chunk->used = 0;
     chunk->is_odd = 0;
+    chunk->odd_count = 0;
     chunk->status = chunk->data.memory.status = BURNISH_STATUS_OK;
     chunk->exact = NULL;
 }
@@ -239,7 +241,8 @@ static burnish_status accept_before_error(chunk_driver *driver, const burnish_ch
 /* Accepts a chunk, except for copying it; *more becomes 0 if the wave ends with it. */
 static burnish_status accept_chunk(chunk_driver *driver, burnish_chunk *chunk, int *more) {
     burnish_mesh_data *mesh = driver->reader->mesh;
-    forward_chunk known = {.first = chunk->first, .end = chunk->cut};
+    forward_chunk known = {
+        .first = chunk->first, .end = chunk->cut, .damage_before = driver->reader->damage.count};
     burnish_status status = BURNISH_STATUS_OK;
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         known.before[i] = mesh->streams[i].count;
@@ -256,6 +259,7 @@ static burnish_status accept_chunk(chunk_driver *driver, burnish_chunk *chunk, i
             return accept_before_error(driver, chunk, status);
         }
     }
+    known.damage = driver->reader->damage.count - known.damage_before;
     if (status == BURNISH_STATUS_OK) {
         status = note_forward(driver, chunk, &known);
     }
@@ -274,6 +278,12 @@ static burnish_status accept_chunk(chunk_driver *driver, burnish_chunk *chunk, i
                                       mesh->streams[BURNISH_POSITION].count +
                                           chunk->data.streams[BURNISH_POSITION].count,
                                       mesh->triangle_count + chunk->data.triangle_count);
+    }
+    if (status == BURNISH_STATUS_OK && chunk->odd_count > 0) {
+        burnish_reader_note(driver->reader, &driver->reader->odd, chunk->odd.bytes,
+                            "\"%s\" has an unusual form; it was read",
+                            burnish_token_quote(chunk->odd).text);
+        driver->reader->odd.count += chunk->odd_count - 1;
     }
     if (status == BURNISH_STATUS_OK && driver->grammar->accept) {
         status = driver->grammar->accept(driver->state, chunk);
@@ -513,28 +523,38 @@ static burnish_status read_wave(chunk_driver *driver) {
                                       : burnish_tasks_check(mesh->tasks, driver->reader->error);
 }
 
-/* At the end of the file: fails for the first chunk that refers to missing values. */
-static burnish_status check_forward(chunk_driver *driver) {
-    const burnish_mesh_data *mesh = driver->reader->mesh;
-    for (size_t k = 0; k < driver->forward_count; ++k) {
-        const forward_chunk *forward = &driver->forward[k];
-        for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
-            if (!(driver->grammar->lenient >> i & 1) &&
-                forward->highest[i] > mesh->streams[i].count) {
-                if (driver->window.bytes) {
-                    return burnish_stop_streaming(driver->reader);
-                }
-                burnish_status status =
-                    parse_exactly(driver, &driver->chunks[0], forward, mesh->streams);
-                return status != BURNISH_STATUS_OK
-                           ? status
-                           : burnish_reader_fail(driver->reader, BURNISH_STATUS_FORMAT,
-                                                 forward->first,
-                                                 "an index is out of range; correct it");
-            }
-        }
+/* Whether a chunk refers to values that the file does not have. */
+static int is_beyond(const chunk_driver *driver, const forward_chunk *forward) {
+    int any = 0;
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        any |= !(driver->grammar->lenient >> i & 1) &&
+               forward->highest[i] > driver->reader->mesh->streams[i].count;
     }
-    return BURNISH_STATUS_OK;
+    return any;
+}
+
+/* At the end of the file: notes the faces that refer to missing values. They are in the mesh, and
+ * left out of it later. */
+static burnish_status check_forward(chunk_driver *driver) {
+    burnish_reader *reader = driver->reader;
+    burnish_status status = BURNISH_STATUS_OK;
+    int any = 0;
+    for (size_t k = 0; k < driver->forward_count && status == BURNISH_STATUS_OK; ++k) {
+        const forward_chunk *forward = &driver->forward[k];
+        if (!is_beyond(driver, forward)) {
+            continue;
+        }
+        if (driver->window.bytes) {
+            return burnish_stop_streaming(reader);
+        }
+        const size_t count = reader->damage.count - forward->damage; /* which are noted again */
+        const int is_first = !any && forward->damage_before == 0; /* perhaps another first place */
+        reader->damage.count = is_first ? 0 : count;
+        status = parse_exactly(driver, &driver->chunks[0], forward, reader->mesh->streams);
+        reader->damage.count += is_first ? count : 0;
+        any = 1;
+    }
+    return status;
 }
 
 static void close_driver(chunk_driver *driver) {

@@ -95,6 +95,7 @@ burnish_number_text burnish_describe_number(const char *what, burnish_token toke
     static const char *const advice[] = {
         [BURNISH_NUMBER_OK] = "is out of place",
         [BURNISH_NUMBER_GARBAGE] = "is not a number; write it like 1.5 or -2e-3",
+        [BURNISH_NUMBER_ODD] = "has an unusual form; write it like 1.5 or -2e-3",
         [BURNISH_NUMBER_NOT_FINITE] = "is not finite; repair or remove it",
         [BURNISH_NUMBER_RANGE] = "is out of range; scale it to below 3.4e38"};
     snprintf(text.text, sizeof text.text, "%s \"%s\" %s", what, burnish_token_quote(token).text,

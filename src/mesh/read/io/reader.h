@@ -26,6 +26,13 @@ typedef struct burnish_polygon {
 /* Corners up to which a concave polygon is cut properly; beyond, it becomes a fan. */
 #define BURNISH_POLYGON_CORNERS 256
 
+/* Warnings of one kind, reported in one line: the first, and how many more there were. All zero
+ * before the first. */
+typedef struct burnish_warning_group {
+    size_t count;
+    burnish_error first; /* its line */
+} burnish_warning_group;
+
 /* One reading of one input. */
 typedef struct burnish_reader {
     const burnish_reader_input *input;
@@ -34,7 +41,10 @@ typedef struct burnish_reader {
     int is_binary;  /* messages give bytes, not lines */
     int is_wide;    /* 1: the file's coordinates may exceed float precision */
     int has_warned; /* 1: a streamed input has a warning, and must be read whole to report it */
-    const uint8_t *counted; /* lines are counted up to here: NULL before the first */
+    burnish_warning_group damage; /* values and faces that are left out: common/damage.h */
+    burnish_warning_group odd;    /* numbers that are accepted in an unusual form */
+    int has_bad_faces;            /* some of the damage is in faces */
+    const uint8_t *counted;       /* lines are counted up to here: NULL before the first */
     size_t line;
     burnish_polygon *polygons;
     size_t polygon_count, polygon_capacity;
@@ -54,13 +64,6 @@ __attribute__((format(printf, 4, 5))) burnish_status burnish_reader_fail(burnish
                                                                          const char *format, ...);
 __attribute__((format(printf, 3, 4))) void
 burnish_reader_warn(burnish_reader *reader, const uint8_t *at, const char *format, ...);
-
-/* Warnings of one kind, reported in one line: the first, and how many more there were. All zero
- * before the first. */
-typedef struct burnish_warning_group {
-    size_t count;
-    burnish_error first; /* its line */
-} burnish_warning_group;
 
 /* Adds a warning to a group; format and location as for burnish_reader_warn. */
 __attribute__((format(printf, 4, 5))) void burnish_reader_note(burnish_reader *reader,

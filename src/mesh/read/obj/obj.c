@@ -4,6 +4,7 @@
  * Lines, points, curves, surfaces and statements of other programs are ignored with a warning each;
  * o, g, s and other statements that draw nothing are ignored silently. Vertex colours follow the
  * coordinates (v x y z r g b). */
+#include "mesh/read/common/damage.h"
 #include "mesh/read/common/points.h"
 #include "mesh/read/common/textures.h"
 #include "mesh/read/common/triangulate.h"
@@ -216,18 +217,22 @@ static burnish_status color_lines(obj_state *obj, size_t count) {
 
 /* Draws a file without faces as its lines, or its vertices as points. */
 static burnish_status make_points(obj_state *obj) {
-    const size_t positions = obj->reader->mesh->streams[BURNISH_POSITION].count;
-    size_t count = 0;
+    const burnish_mesh_data *mesh = obj->reader->mesh;
+    const size_t positions = mesh->streams[BURNISH_POSITION].count;
+    size_t count = 0, missing = 0;
     for (size_t i = 0; i < obj->segment_count; ++i) {
         const burnish_segment segment = obj->segments[i];
-        if (segment.from < positions && segment.to < positions) {
+        if (burnish_is_good_position(mesh, segment.from) &&
+            burnish_is_good_position(mesh, segment.to)) {
             obj->segments[count++] = segment;
+        } else {
+            missing += segment.from >= positions || segment.to >= positions;
         }
     }
-    if (count < obj->segment_count) {
+    if (missing > 0) {
         burnish_reader_warn(obj->reader, NULL,
                             "%zu of %zu lines refer to vertices that the file does not have",
-                            obj->segment_count - count, obj->segment_count);
+                            missing, obj->segment_count);
     }
     settle_colors(obj);
     count = obj->reader->mesh->thinning > 1 ? 0 : count;
@@ -245,7 +250,8 @@ static burnish_status obj_finish(obj_state *obj) {
     for (size_t i = mesh->triangle_count == 0; i < sizeof groups / sizeof *groups; ++i) {
         burnish_reader_warn_group(obj->reader, groups[i]);
     }
-    if (mesh->triangle_count == 0 && mesh->streams[BURNISH_POSITION].count > 0) {
+    if (mesh->triangle_count == 0 && mesh->streams[BURNISH_POSITION].count > 0 &&
+        !obj->reader->has_bad_faces) {
         return make_points(obj);
     }
     if (mesh->triangle_count == 0) {

@@ -16,30 +16,26 @@ typedef struct obj_parser {
 
 /* ---- Values ---- */
 
-static void fail_number(obj_parser *obj, const char *what, burnish_token token,
-                        burnish_number_status number) {
-    burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, token.bytes, "%s",
-                       burnish_describe_number(what, token, number).text);
-}
-
-/* A vertex: up to `most` numbers of the line; returns how many, -1 after an error in the three
- * coordinates, and -2 after an error behind them. */
-static int read_floats(obj_parser *obj, float *values, int most) {
+/* A vertex: up to `most` numbers of the line; returns how many, -1 after an error, and -2 after an
+ * error behind the three coordinates. *is_bad: 1 for a coordinate that is no finite number; the rest
+ * of the line is not read then. */
+static int read_floats(obj_parser *obj, float *values, int most, int *is_bad) {
     burnish_token token;
     burnish_number_status number;
     int count = 0;
     double value;
     while (count < most && burnish_lexer_double(&obj->lexer, &token, &value, &number)) {
         const double origin = count < 3 ? obj->origin[count] : 0;
-        if (number == BURNISH_NUMBER_OK && !burnish_place(value, origin, &values[count])) {
+        if (burnish_chunk_takes(obj->chunk, token, &number) &&
+            !burnish_place(value, origin, &values[count])) {
             number = BURNISH_NUMBER_RANGE;
         }
         if (number != BURNISH_NUMBER_OK && count >= 3) {
             return -2;
         }
         if (number != BURNISH_NUMBER_OK) {
-            fail_number(obj, "coordinate", token, number);
-            return -1;
+            *is_bad = 1;
+            return burnish_chunk_pardon_number(obj->chunk, token, number) ? 3 : -1;
         }
         ++count;
     }
@@ -76,7 +72,7 @@ static void append_color(obj_parser *obj, const float color[3]) {
 static void read_vertex(obj_parser *obj, const uint8_t *at) {
     enum { MOST = 7 }; /* x y z [w], or x y z r g b [a] */
     float values[MOST];
-    int count = read_floats(obj, values, MOST);
+    int is_bad = 0, count = read_floats(obj, values, MOST, &is_bad);
     if (count == -1) {
         return;
     }
@@ -85,12 +81,17 @@ static void read_vertex(obj_parser *obj, const uint8_t *at) {
         count = 3;
     }
     if (count < 3) {
-        burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, obj->lexer.next,
-                           "vertex has %d number%s; write v x y z or v x y z r g b", count,
-                           count == 1 ? "" : "s");
-        return;
+        is_bad = 1;
+        if (!burnish_chunk_pardon(obj->chunk, 0, obj->lexer.next,
+                                  "vertex has %d number%s; write v x y z or v x y z r g b", count,
+                                  count == 1 ? "" : "s")) {
+            return;
+        }
     }
     float *position = burnish_chunk_append(obj->chunk, BURNISH_POSITION);
+    for (int i = 0; i < 3 && is_bad; ++i) {
+        values[i] = __builtin_nanf("");
+    }
     if (position) {
         memcpy(position, values, 3 * sizeof *position);
         if (count >= 6 || obj->chunk->data.streams[BURNISH_COLOR].count > 0) {
@@ -112,7 +113,7 @@ static void read_normal(obj_parser *obj, const uint8_t *at) {
             burnish_chunk_note(obj->chunk, BURNISH_OBJ_NORMAL, at);
             return;
         }
-        normal[i] = number == BURNISH_NUMBER_OK ? normal[i] : 0;
+        normal[i] = burnish_chunk_takes(obj->chunk, token, &number) ? normal[i] : 0;
     }
 }
 
@@ -123,7 +124,7 @@ static void read_texcoord(obj_parser *obj) {
     float *texcoord = burnish_chunk_append(obj->chunk, BURNISH_TEXCOORD);
     for (int i = 0; i < 2 && texcoord; ++i) {
         if (!burnish_lexer_float(&obj->lexer, &token, &texcoord[i], &number) ||
-            number != BURNISH_NUMBER_OK) {
+            !burnish_chunk_takes(obj->chunk, token, &number)) {
             texcoord[i] = 0;
         }
     }
@@ -131,10 +132,12 @@ static void read_texcoord(obj_parser *obj) {
 
 /* ---- Faces ---- */
 
-static void fail_corner(obj_parser *obj, burnish_token corner) {
-    burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, corner.bytes,
-                       "face corner \"%s\" is not an index; write v, v/t, v//n or v/t/n",
-                       burnish_token_quote(corner).text);
+/* Returns 0. The face is left out. */
+static int fail_corner(obj_parser *obj, burnish_token corner) {
+    burnish_chunk_pardon(obj->chunk, 1, corner.bytes,
+                         "face corner \"%s\" is not an index; write v, v/t, v//n or v/t/n",
+                         burnish_token_quote(corner).text);
+    return 0;
 }
 
 /* Puts an index, counted from 1 or backwards from -1, into the corner's column, clamped to 32 bits.
@@ -182,32 +185,35 @@ static int fail_vertex(obj_parser *obj, burnish_token token, int64_t written) {
     const burnish_chunk *chunk = obj->chunk;
     const size_t count = chunk->data.streams[BURNISH_POSITION].count;
     if (written == 0) {
-        burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, token.bytes,
-                           "face refers to vertex 0; indices start at 1");
+        burnish_chunk_pardon(obj->chunk, 1, token.bytes,
+                             "face refers to vertex 0; indices start at 1");
     } else if (written > 0) {
-        burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, token.bytes,
-                           "face refers to vertex %s, but the file has %zu; correct the index",
-                           burnish_token_quote(token).text, chunk->total[BURNISH_POSITION]);
+        burnish_chunk_pardon(obj->chunk, 1, token.bytes,
+                             "face refers to vertex %s, but the file has %zu; correct the index",
+                             burnish_token_quote(token).text, chunk->total[BURNISH_POSITION]);
     } else {
-        burnish_chunk_fail(obj->chunk, BURNISH_STATUS_FORMAT, token.bytes,
-                           "face refers to vertex %s, but only %zu precede it; correct the index",
-                           burnish_token_quote(token).text,
-                           chunk->before[BURNISH_POSITION] + count);
+        burnish_chunk_pardon(obj->chunk, 1, token.bytes,
+                             "face refers to vertex %s, but only %zu precede it; correct the index",
+                             burnish_token_quote(token).text,
+                             chunk->before[BURNISH_POSITION] + count);
     }
     return 0;
 }
 
+/* What is no index of any file, either way. */
+#define BEYOND ((int64_t)BURNISH_VALUE_LIMIT + 1)
+
 /* One index of a corner; returns 0 after an error. */
 static int parse_index(obj_parser *obj, burnish_token corner, burnish_token token,
                        int64_t *written) {
-    const burnish_number_status number = burnish_parse_integer(token, written);
+    const burnish_number_status number = burnish_chunk_index(obj->chunk, token, written);
     if (number == BURNISH_NUMBER_GARBAGE) {
-        fail_corner(obj, corner);
-        return 0;
+        return fail_corner(obj, corner);
     }
-    if (number == BURNISH_NUMBER_RANGE) { /* beyond any count */
-        *written = *token.bytes == '-' ? -INT64_MAX : INT64_MAX;
+    if (number == BURNISH_NUMBER_RANGE) {
+        *written = *token.bytes == '-' ? -BEYOND : BEYOND;
     }
+    *written = *written > BEYOND ? BEYOND : *written < -BEYOND ? -BEYOND : *written;
     return 1;
 }
 
@@ -245,8 +251,7 @@ static unsigned parse_corner(obj_parser *obj, burnish_token corner, uint32_t *nu
     if (left.size > 0) {
         part = burnish_obj_cut_part(&left);
         if (left.size > 0) {
-            fail_corner(obj, corner);
-            return 0;
+            return (unsigned)fail_corner(obj, corner);
         }
         if (!parse_index(obj, corner, part, &written)) {
             return 0;
@@ -263,7 +268,7 @@ static inline const uint8_t *scan_index(const uint8_t *p, int64_t *written) {
     const int negative = *p == '-';
     p += negative;
     unsigned digits = burnish_scan_digits(&p, &value);
-    if (digits == 0 || digits > 18) {
+    if (digits == 0 || digits > 9) { /* of 32 bits */
         return NULL;
     }
     *written = negative ? -(int64_t)value : (int64_t)value;
@@ -403,7 +408,7 @@ static void read_face(obj_parser *obj, const uint8_t *at) {
             numbers[BURNISH_NORMAL] = numbers[BURNISH_TEXCOORD] = BURNISH_NONE;
             numbers[RELATIVE] = 0;
             if ((found = parse_corner(obj, token, numbers)) == 0) {
-                return;
+                return; /* the face is left out */
             }
         }
         used |= found;
@@ -437,12 +442,25 @@ static int is_one_of(burnish_token keyword, const char *const *words) {
     return *words != NULL;
 }
 
+/* v, vn, vt and f are also read in capitals. Returns what makes the letters small. */
+static uint8_t take_capitals(obj_parser *obj, burnish_token keyword) {
+    static const char *const words[] = {"v", "f", "vn", "vt"};
+    for (size_t i = 0; i < sizeof words / sizeof *words && keyword.bytes[0] < 'a'; ++i) {
+        if (burnish_token_is_caseless(keyword, words[i])) {
+            burnish_chunk_note_odd(obj->chunk, keyword);
+            return 0x20;
+        }
+    }
+    return 0;
+}
+
 static void read_statement(obj_parser *obj) {
     burnish_token keyword;
     if (!burnish_lexer_token(&obj->lexer, &keyword)) {
         return;
     }
-    const uint8_t first = keyword.bytes[0], second = keyword.size > 1 ? keyword.bytes[1] : 0;
+    const uint8_t small = take_capitals(obj, keyword), first = keyword.bytes[0] | small,
+                  second = keyword.size > 1 ? keyword.bytes[1] | small : 0;
     if (keyword.size == 1) {
         if (first == 'v') {
             read_vertex(obj, keyword.bytes);

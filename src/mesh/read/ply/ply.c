@@ -3,6 +3,7 @@
  * Rows are read one after the other (ply_rows.c). Binary rows that all have one size need no
  * decoding to be found: all threads convert vertices column by column, and triangles row by row
  * (ply_binary.c). */
+#include "base/numbers.h"
 #include "mesh/read/common/points.h"
 #include "mesh/read/common/textures.h"
 #include "mesh/read/common/triangulate.h"
@@ -16,8 +17,27 @@
 
 /* ---- Binary rows of one size ---- */
 
-/* All values of the vertices, whose rows are all there. Unusual rows are left to
- * burnish_ply_read_rows(). */
+/* Vertices from `first` on with a coordinate that is not finite. */
+static void note_bad_vertices(burnish_ply_state *ply, const burnish_ply_rows *rows,
+                              const uint8_t *at, size_t first) {
+    const burnish_mesh_data *mesh = ply->reader->mesh;
+    for (size_t i = first; i < mesh->streams[BURNISH_POSITION].count; ++i) {
+        const float *p = burnish_positions(mesh) + 3 * i;
+        int axis = 0;
+        while (axis < 3 && burnish_is_finitef(p[axis])) {
+            ++axis;
+        }
+        if (axis < 3) {
+            burnish_reader_note(
+                ply->reader, &ply->reader->damage,
+                at + i * rows->row_size + rows->columns[BURNISH_PLY_X + axis].offset,
+                "vertex %zu: coordinate %c is not finite or beyond 3.4e38; repair the mesh",
+                i * mesh->thinning, 'x' + axis);
+        }
+    }
+}
+
+/* All values of the vertices, whose rows are all there. */
 static burnish_status read_vertices(burnish_ply_state *ply, burnish_ply_rows *rows,
                                     const uint8_t **at) {
     static const int last_roles[BURNISH_ATTRIBUTE_COUNT] = {BURNISH_PLY_Z, BURNISH_PLY_NZ,
@@ -41,18 +61,13 @@ static burnish_status read_vertices(burnish_ply_state *ply, burnish_ply_rows *ro
         burnish_reader_rows(ply->reader, (size_t)(*at - ply->reader->input->bytes), rows->row_size,
                             count, burnish_ply_convert_vertices, rows);
     const size_t odd = atomic_load(&rows->odd);
-    if (status == BURNISH_STATUS_OK && odd < count && step > 1) {
-        return burnish_reader_fail(
-            ply->reader, BURNISH_STATUS_FORMAT, NULL,
-            "vertex %zu has a coordinate that is not finite; repair the file", odd * step);
-    }
-    if (status == BURNISH_STATUS_OK && odd < count) { /* which has a warning */
-        *at += odd * rows->row_size;
-        ply->first_row = odd;
-        return burnish_ply_read_rows(ply, at, count - odd);
+    if (status == BURNISH_STATUS_OK && odd < count) {
+        note_bad_vertices(ply, rows, *at, odd);
     }
     *at += size;
-    return status;
+    return status == BURNISH_STATUS_OK && ply->reader->has_warned
+               ? burnish_stop_streaming(ply->reader)
+               : status;
 }
 
 static burnish_status convert_face_colors(burnish_ply_state *ply, burnish_ply_rows *rows,
@@ -179,7 +194,7 @@ static burnish_status check_count(const burnish_ply_state *ply, size_t left, siz
 
 /* Whether a value of the type may be more than a float holds. */
 static int is_wide(burnish_ply_type type) {
-    return type == BURNISH_PLY_FLOAT64 || type == BURNISH_PLY_INT32 || type == BURNISH_PLY_UINT32;
+    return type == BURNISH_PLY_FLOAT64 || (type >= BURNISH_PLY_INT32 && type < BURNISH_PLY_FLOAT32);
 }
 
 /* Whether rows with one list may be triangles. */
@@ -350,6 +365,8 @@ static burnish_status read_elements(burnish_ply_state *ply, size_t *left) {
     burnish_status status = BURNISH_STATUS_OK;
     ply->reader->mesh->thinning = ply->step;
     ply->few_corners = ply->fields = (burnish_warning_group){0};
+    ply->reader->damage = (burnish_warning_group){0};
+    ply->reader->odd = ply->header_odd;
     ply->per_triangle = (unsigned)(ply->header.has_face_colors && !ply->header.has_vertex_colors)
                             << BURNISH_COLOR |
                         (unsigned)ply->takes_face_coordinates << BURNISH_TEXCOORD;
@@ -423,8 +440,8 @@ static burnish_status read_otherwise(burnish_ply_state *ply, burnish_status firs
     } else if (status == BURNISH_STATUS_OK) {
         status = first;
     }
-    if ((status == BURNISH_STATUS_FORMAT ||
-         (status == BURNISH_STATUS_OK && ply->is_odd && *left > 0)) &&
+    if ((status == BURNISH_STATUS_FORMAT || (status == BURNISH_STATUS_OK && ply->is_odd &&
+                                             (*left > 0 || ply->reader->damage.count > 0))) &&
         rows_are_lines(ply)) {
         status = read_again(ply, 1, left);
         if (status == BURNISH_STATUS_FORMAT && first == BURNISH_STATUS_OK) {
@@ -485,8 +502,8 @@ static burnish_status read_body(burnish_ply_state *ply) {
         return burnish_stop_streaming(ply->reader);
     }
     if (!ply->reader->is_binary && !ply->reader->input->streamed &&
-        (status == BURNISH_STATUS_FORMAT ||
-         (status == BURNISH_STATUS_OK && ply->is_odd && left > 0))) {
+        (status == BURNISH_STATUS_FORMAT || (status == BURNISH_STATUS_OK && ply->is_odd &&
+                                             (left > 0 || ply->reader->damage.count > 0)))) {
         status = read_otherwise(ply, status, &left);
     }
     const int is_preview = ply->reader->mesh->thinning > 1;
@@ -520,6 +537,7 @@ static void warn_undrawn(const burnish_ply_state *ply) {
 static burnish_status ply_read(burnish_reader *reader) {
     burnish_ply_state ply = {.reader = reader};
     burnish_status status = burnish_ply_read_header(reader, &ply.header);
+    ply.header_odd = reader->odd;
     if (status == BURNISH_STATUS_OK) {
         status = read_body(&ply);
     }
@@ -540,8 +558,12 @@ static burnish_status ply_read(burnish_reader *reader) {
 
 /* Certain by its first line. */
 static int ply_recognise(const uint8_t *bytes, size_t size) {
-    return size >= 4 && memcmp(bytes, "ply", 3) == 0 && (bytes[3] == '\n' || bytes[3] == '\r') ? 2
-                                                                                               : 0;
+    const burnish_lexer lexer = burnish_lexer_open(bytes, size, 0);
+    return lexer.end - lexer.next >= 4 &&
+                   burnish_bytes_are_caseless(lexer.next, (const uint8_t *)"ply", 3) &&
+                   burnish_is_line_end(lexer.next[3])
+               ? 2
+               : 0;
 }
 
 const burnish_format_reader burnish_reader_ply = {

@@ -34,6 +34,19 @@ static size_t convert_floats(const burnish_ply_rows *rows, const uint8_t *bytes,
     return odd;
 }
 
+/* Coordinates that are not finite become NaN. */
+static void mark_odd(const burnish_ply_rows *rows, const uint8_t *bytes, size_t count, size_t axis,
+                     float *to) {
+    const burnish_ply_column from = rows->columns[BURNISH_PLY_X + axis];
+    for (size_t row = 0; row < count; ++row, bytes += rows->row_size, to += 3) {
+        const double value = burnish_ply_load(bytes + from.offset, from.type, rows->big_endian);
+        float unused;
+        if (!burnish_place(value, rows->mesh->origin[axis], &unused)) {
+            *to = __builtin_nanf("");
+        }
+    }
+}
+
 static void convert_colors(const burnish_ply_rows *rows, const uint8_t *bytes, size_t count,
                            uint8_t *rgba) {
     for (int i = 0; i < 4; ++i) {
@@ -69,6 +82,7 @@ void burnish_ply_convert_vertices(void *user_data, const uint8_t *bytes, size_t 
                 convert_floats(rows, bytes, count, rows->columns[BURNISH_PLY_X + i],
                                mesh->origin[i], burnish_positions(mesh) + 3 * first + i, 3);
             if (odd < count) {
+                mark_odd(rows, bytes, count, i, burnish_positions(mesh) + 3 * first + i);
                 burnish_lower_to(&rows->odd, first + odd);
             }
             if (mesh->streams[BURNISH_NORMAL].count > 0) {

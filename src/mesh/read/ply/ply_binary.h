@@ -52,6 +52,10 @@ static inline double burnish_ply_load(const uint8_t *p, burnish_ply_type type, i
         return (double)low - (low & 0x8000u ? 65536.0 : 0.0);
     case BURNISH_PLY_INT32:
         return (double)low - (low & 0x80000000u ? 4294967296.0 : 0.0);
+    case BURNISH_PLY_INT64:
+        return (double)(int64_t)bits;
+    case BURNISH_PLY_UINT64:
+        return (double)bits;
     case BURNISH_PLY_FLOAT32:
         memcpy(&single, &low, sizeof single);
         return (double)single;
@@ -73,11 +77,11 @@ static inline uint8_t burnish_ply_to_color(double value, burnish_ply_type type) 
     return (uint8_t)(value > 0 ? (value < 255 ? value + 0.5 : 255) : 0);
 }
 
-/* A value that is not negative; UINT32_MAX for one that is. */
+/* A value that is not negative; UINT32_MAX for one that is, or that is larger. */
 static inline uint32_t burnish_ply_load_count(const uint8_t *from, burnish_ply_type type,
                                               int big_endian) {
     const double value = burnish_ply_load(from, type, big_endian);
-    return value >= 0 ? (uint32_t)value : UINT32_MAX;
+    return value >= 0 && value < UINT32_MAX ? (uint32_t)value : UINT32_MAX;
 }
 
 #endif

@@ -28,10 +28,11 @@ static burnish_ply_type type_of(burnish_token token) {
                  {"ushort", BURNISH_PLY_UINT16},  {"uint16", BURNISH_PLY_UINT16},
                  {"int", BURNISH_PLY_INT32},      {"int32", BURNISH_PLY_INT32},
                  {"uint", BURNISH_PLY_UINT32},    {"uint32", BURNISH_PLY_UINT32},
+                 {"int64", BURNISH_PLY_INT64},    {"uint64", BURNISH_PLY_UINT64},
                  {"float", BURNISH_PLY_FLOAT32},  {"float32", BURNISH_PLY_FLOAT32},
                  {"double", BURNISH_PLY_FLOAT64}, {"float64", BURNISH_PLY_FLOAT64}};
     for (size_t i = 0; i < sizeof types / sizeof *types; ++i) {
-        if (burnish_token_is(token, types[i].name)) {
+        if (burnish_token_is_caseless(token, types[i].name)) {
             return types[i].type;
         }
     }
@@ -53,7 +54,7 @@ static burnish_ply_role vertex_role(burnish_token name) {
                                            [BURNISH_PLY_T] = {"t", "v", "texture_v"}};
     for (size_t role = 0; role < sizeof names / sizeof *names; ++role) {
         for (int i = 0; i < 3 && names[role][i]; ++i) {
-            if (burnish_token_is(name, names[role][i])) {
+            if (burnish_token_is_caseless(name, names[role][i])) {
                 return (burnish_ply_role)role;
             }
         }
@@ -68,14 +69,15 @@ static burnish_ply_role role_of(burnish_ply_kind kind, int is_list, burnish_toke
     if (kind == BURNISH_PLY_ELEMENT_FACE && !is_list) {
         const burnish_ply_role role = vertex_role(name);
         return role >= BURNISH_PLY_RED && role <= BURNISH_PLY_ALPHA ? role
-               : burnish_token_is(name, "texnumber")                ? BURNISH_PLY_TEXNUMBER
+               : burnish_token_is_caseless(name, "texnumber")       ? BURNISH_PLY_TEXNUMBER
                                                                     : BURNISH_PLY_OTHER;
     }
-    if (kind == BURNISH_PLY_ELEMENT_FACE && burnish_token_is(name, "texcoord")) {
+    if (kind == BURNISH_PLY_ELEMENT_FACE && burnish_token_is_caseless(name, "texcoord")) {
         return BURNISH_PLY_TEXCOORDS;
     }
     if ((kind == BURNISH_PLY_ELEMENT_FACE || kind == BURNISH_PLY_ELEMENT_STRIPS) && is_list &&
-        (burnish_token_is(name, "vertex_indices") || burnish_token_is(name, "vertex_index"))) {
+        (burnish_token_is_caseless(name, "vertex_indices") ||
+         burnish_token_is_caseless(name, "vertex_index"))) {
         return BURNISH_PLY_CORNERS;
     }
     return BURNISH_PLY_OTHER;
@@ -85,15 +87,15 @@ static burnish_status read_format(header_state *ply) {
     burnish_token encoding = {0}, version = {0};
     int words = burnish_lexer_token(&ply->lexer, &encoding);
     words += burnish_lexer_token(&ply->lexer, &version);
-    if (words < 2 || !burnish_token_is(version, "1.0")) {
+    if (words < 2 || !burnish_token_is_caseless(version, "1.0")) {
         return FAIL(ply, "format version is \"%s\"; only 1.0 exists",
                     burnish_token_quote(version).text);
     }
-    if (burnish_token_is(encoding, "ascii")) {
+    if (burnish_token_is_caseless(encoding, "ascii")) {
         ply->header->encoding = BURNISH_PLY_ASCII;
-    } else if (burnish_token_is(encoding, "binary_little_endian")) {
+    } else if (burnish_token_is_caseless(encoding, "binary_little_endian")) {
         ply->header->encoding = BURNISH_PLY_LITTLE_ENDIAN;
-    } else if (burnish_token_is(encoding, "binary_big_endian")) {
+    } else if (burnish_token_is_caseless(encoding, "binary_big_endian")) {
         ply->header->encoding = BURNISH_PLY_BIG_ENDIAN;
     } else {
         return FAIL(
@@ -123,11 +125,11 @@ static burnish_status read_element(header_state *ply) {
                     burnish_token_quote(token).text);
     }
     element.count = (uint64_t)count;
-    if (burnish_token_is(element.name, "vertex")) {
+    if (burnish_token_is_caseless(element.name, "vertex")) {
         element.kind = BURNISH_PLY_ELEMENT_VERTEX;
-    } else if (burnish_token_is(element.name, "face")) {
+    } else if (burnish_token_is_caseless(element.name, "face")) {
         element.kind = BURNISH_PLY_ELEMENT_FACE;
-    } else if (burnish_token_is(element.name, "tristrips")) {
+    } else if (burnish_token_is_caseless(element.name, "tristrips")) {
         element.kind = BURNISH_PLY_ELEMENT_STRIPS;
     }
     burnish_memory *memory = &ply->reader->mesh->memory;
@@ -137,6 +139,18 @@ static burnish_status read_element(header_state *ply) {
         header->elements[header->element_count++] = element;
     }
     return memory->status;
+}
+
+/* Something unusual, which is accepted. */
+static void note_odd(header_state *ply, burnish_token word) {
+    burnish_reader_note(ply->reader, &ply->reader->odd, word.bytes,
+                        "\"%s\" has an unusual form; it was read", burnish_token_quote(word).text);
+}
+
+static void note_capitals(header_state *ply, burnish_token word) {
+    if (word.bytes[0] >= 'A' && word.bytes[0] <= 'Z') {
+        note_odd(ply, word);
+    }
 }
 
 static burnish_status fail_property(header_state *ply, burnish_token type) {
@@ -156,7 +170,7 @@ static burnish_status read_property(header_state *ply) {
     }
     burnish_ply_element *element = &header->elements[header->element_count - 1];
     burnish_lexer_token(&ply->lexer, &type);
-    int is_list = burnish_token_is(type, "list");
+    int is_list = burnish_token_is_caseless(type, "list");
     if (is_list) {
         burnish_token count_type = {0};
         burnish_lexer_token(&ply->lexer, &count_type);
@@ -177,6 +191,12 @@ static burnish_status read_property(header_state *ply) {
     }
     property.name = name;
     property.role = role_of(element->kind, is_list, name);
+    if (property.role != BURNISH_PLY_OTHER) {
+        note_capitals(ply, name);
+    }
+    if (property.type == BURNISH_PLY_INT64 || property.type == BURNISH_PLY_UINT64) {
+        note_odd(ply, type);
+    }
     const char *scalar = ply->reader->input->options->scalar_property;
     if (scalar && element->kind == BURNISH_PLY_ELEMENT_VERTEX && !is_list &&
         (property.role >= BURNISH_PLY_S || burnish_token_is(name, scalar))) {
@@ -236,26 +256,28 @@ static int find_body(header_state *ply) {
 /* Returns 1 in *done after end_header. */
 static burnish_status read_line(header_state *ply, int *done) {
     burnish_token keyword;
-    if (!burnish_lexer_token(&ply->lexer, &keyword) || burnish_token_is(keyword, "obj_info")) {
+    if (!burnish_lexer_token(&ply->lexer, &keyword) ||
+        burnish_token_is_caseless(keyword, "obj_info")) {
         return BURNISH_STATUS_OK;
     }
-    if (burnish_token_is(keyword, "comment")) {
+    if (burnish_token_is_caseless(keyword, "comment")) {
         if (burnish_lexer_token(&ply->lexer, &keyword) &&
-            burnish_token_is(keyword, "TextureFile")) {
+            burnish_token_is_caseless(keyword, "texturefile")) {
             return add_texture(ply);
         }
         return BURNISH_STATUS_OK;
     }
-    if (burnish_token_is(keyword, "format")) {
+    if (burnish_token_is_caseless(keyword, "format")) {
+        note_capitals(ply, keyword);
         return read_format(ply);
     }
-    if (burnish_token_is(keyword, "element")) {
+    if (burnish_token_is_caseless(keyword, "element")) {
         return read_element(ply);
     }
-    if (burnish_token_is(keyword, "property")) {
+    if (burnish_token_is_caseless(keyword, "property")) {
         return read_property(ply);
     }
-    if (burnish_token_is(keyword, "end_header")) {
+    if (burnish_token_is_caseless(keyword, "end_header")) {
         *done = find_body(ply);
         return BURNISH_STATUS_OK;
     }
@@ -333,14 +355,18 @@ burnish_status burnish_ply_read_header(burnish_reader *reader, burnish_ply_heade
     const burnish_reader_input *input = reader->input;
     header_state ply = {.reader = reader,
                         .header = header,
-                        .lexer = {input->bytes, input->bytes + burnish_reader_head(reader), 0}};
+                        .lexer = burnish_lexer_open(input->bytes, burnish_reader_head(reader), 0)};
     burnish_token magic = {0};
     int done = 0;
     *header = (burnish_ply_header){0};
-    if (!burnish_lexer_token(&ply.lexer, &magic) || !burnish_token_is(magic, "ply")) {
+    if (!burnish_lexer_token(&ply.lexer, &magic) || !burnish_token_is_caseless(magic, "ply")) {
         return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, input->bytes,
                                    "expected the line \"ply\", found \"%s\"; check the format",
                                    burnish_token_quote(magic).text);
+    }
+    note_capitals(&ply, magic);
+    if (magic.bytes > input->bytes) {
+        burnish_reader_note(reader, &reader->odd, NULL, "the file begins with a byte order mark");
     }
     while (!done) {
         if (!burnish_lexer_next_line(&ply.lexer)) {

@@ -18,13 +18,15 @@ typedef enum burnish_ply_type {
     BURNISH_PLY_UINT16,
     BURNISH_PLY_INT32,
     BURNISH_PLY_UINT32,
+    BURNISH_PLY_INT64, /* not of the specification */
+    BURNISH_PLY_UINT64,
     BURNISH_PLY_FLOAT32,
     BURNISH_PLY_FLOAT64
 } burnish_ply_type;
 
 /* Bytes of one value in a binary body. */
 static inline size_t burnish_ply_type_size(burnish_ply_type type) {
-    static const uint8_t sizes[] = {0, 1, 1, 2, 2, 4, 4, 4, 8};
+    static const uint8_t sizes[] = {0, 1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
     return sizes[type];
 }
 

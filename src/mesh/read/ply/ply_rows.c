@@ -22,6 +22,7 @@ typedef struct ply_parser {
     int is_short;            /* the current line has fewer values than the row */
     int texture;             /* of the last face; -1: not known yet */
     int has_normals, has_coordinates, has_colors; /* of vertices */
+    unsigned long long bad_row;                   /* the last with a bad value */
 } ply_parser;
 
 /* The part of a face's row that is used after all of it has been read. */
@@ -30,7 +31,7 @@ typedef struct face_row {
     const uint8_t *coordinates; /* the values of texcoord */
     burnish_ply_type coordinate_type;
     uint64_t coordinate_count; /* of values, 2 per corner */
-    int texture;
+    int texture, is_bad;
 } face_row;
 
 /* The location of a message: a binary value's first byte, or the end of a word. */
@@ -71,6 +72,11 @@ static int read_word(ply_parser *p, double *value) {
     }
     if (number == BURNISH_NUMBER_NOT_FINITE || number == BURNISH_NUMBER_RANGE) {
         *value = __builtin_nan("");
+    } else if (!burnish_chunk_takes(p->chunk, word, &number) && p->ply->by_lines) {
+        *value = __builtin_nan(""); /* the row is known to end with its line */
+        p->bad_row = row_number(p);
+        return burnish_chunk_pardon(p->chunk, 0, word.bytes, "%s",
+                                    burnish_describe_number("value", word, number).text);
     } else if (number != BURNISH_NUMBER_OK) {
         FAIL(p, "%s", burnish_describe_number("value", word, number).text);
         return 0;
@@ -145,9 +151,20 @@ static inline int read_length(ply_parser *p, burnish_ply_encoding encoding,
     return 1;
 }
 
-/* Reads corners into the chunk's scratch array. -1 in a strip starts a new one. */
+static int pardon_corner(ply_parser *p, double index) {
+    return p->bad_row == row_number(p) ||
+           burnish_chunk_pardon(p->chunk, 1, HERE(p),
+                                "element %s, row %llu: vertex index %.10g is out of range; there "
+                                "are %zu vertices, counted "
+                                "from 0",
+                                burnish_token_quote(p->ply->element->name).text, row_number(p),
+                                index, p->ply->vertex_count);
+}
+
+/* Reads corners into the chunk's scratch array. -1 in a strip starts a new one, and so does a corner
+ * without a vertex; *is_bad: 1 if there is one. */
 static inline int read_corners(ply_parser *p, burnish_ply_encoding encoding,
-                               const burnish_ply_property *property, size_t count) {
+                               const burnish_ply_property *property, size_t count, int *is_bad) {
     const double vertex_count = (double)p->ply->vertex_count;
     uint32_t *corners = burnish_chunk_scratch(p->chunk, count);
     for (size_t i = 0; i < count; ++i) {
@@ -159,12 +176,12 @@ static inline int read_corners(ply_parser *p, burnish_ply_encoding encoding,
         const uint32_t index = inside ? (uint32_t)value : BURNISH_NONE;
         const int restart = value == -1 && p->ply->element->kind == BURNISH_PLY_ELEMENT_STRIPS;
         if (!restart && (!inside || (double)index != value)) {
-            FAIL(p,
-                 "element %s, row %llu: vertex index %.10g is out of range; there are %zu "
-                 "vertices, counted from 0",
-                 burnish_token_quote(p->ply->element->name).text, row_number(p), value,
-                 p->ply->vertex_count);
-            return 0;
+            if (!*is_bad && !pardon_corner(p, value)) {
+                return 0;
+            }
+            *is_bad = 1;
+            corners[i] = BURNISH_NONE;
+            continue;
         }
         corners[i] = index;
     }
@@ -187,6 +204,7 @@ static void append_vertex(ply_parser *p, const double values[BURNISH_PLY_ROLE_CO
     const burnish_ply_state *ply = p->ply;
     float *to = burnish_chunk_append(chunk, BURNISH_POSITION);
     for (int i = 0; i < 3 && to; ++i) {
+        to[i] = __builtin_nanf("");
         burnish_place(values[BURNISH_PLY_X + i], ply->reader->mesh->origin[i], &to[i]);
     }
     if (p->has_normals) {
@@ -315,6 +333,9 @@ static double missing_value(const burnish_ply_property *property) {
 static inline void append_face(ply_parser *p, burnish_ply_encoding encoding,
                                const double values[BURNISH_PLY_ROLE_COUNT], const face_row *face) {
     const int is_face = p->ply->element->kind == BURNISH_PLY_ELEMENT_FACE;
+    if (is_face && face->is_bad) {
+        return;
+    }
     if (is_face && face->corner_count >= 3 && p->ply->takes_textures &&
         face->texture != p->texture) {
         burnish_chunk_note(p->chunk, TEXTURE + face->texture, p->lexer.next);
@@ -371,9 +392,14 @@ static inline int read_column(ply_parser *p, burnish_ply_encoding encoding,
         return 0;
     }
     if (property->role <= BURNISH_PLY_Z && !burnish_double_to_float(*value, &unused)) {
-        FAIL(p, "vertex %llu: coordinate %c is not finite or beyond 3.4e38; repair the mesh",
-             row_number(p) - 1, 'x' + (int)property->role);
-        return 0;
+        *value = __builtin_nan("");
+        const int is_new = p->bad_row != row_number(p);
+        p->bad_row = row_number(p);
+        return !is_new ||
+               burnish_chunk_pardon(
+                   p->chunk, 0, HERE(p),
+                   "vertex %llu: coordinate %c is not finite or beyond 3.4e38; repair the mesh",
+                   row_number(p) - 1, 'x' + (int)property->role);
     }
     return 1;
 }
@@ -387,7 +413,7 @@ static inline int read_other(ply_parser *p, burnish_ply_encoding encoding,
     }
     if (property->role == BURNISH_PLY_CORNERS) {
         face->corner_count = (size_t)count;
-        return read_corners(p, encoding, property, face->corner_count);
+        return read_corners(p, encoding, property, face->corner_count, &face->is_bad);
     }
     if (property->role == BURNISH_PLY_TEXNUMBER) {
         return read_texture(p, encoding, property, &face->texture);

@@ -1,5 +1,6 @@
 /* A model part of 3MF: its elements become arrays. References are resolved later, when all parts
  * have been read. */
+#include "base/numbers.h"
 #include "mesh/read/threemf/threemf.h"
 #include "mesh/read/threemf/threemf_xml.h"
 
@@ -161,6 +162,9 @@ static void add_coordinate(model_state *model, burnish_threemf_xml *xml,
         burnish_threemf_coordinate *to = BURNISH_THREEMF_APPEND(threemf, &threemf->coordinates);
         if (to) {
             *to = read;
+            for (int i = 0; i < 2; ++i) {
+                to->uv[i] = burnish_is_finitef(read.uv[i]) ? read.uv[i] : 0;
+            }
             ++threemf->groups.items[model->group].count;
         }
     }
@@ -247,6 +251,26 @@ static void add_vertex(model_state *model, burnish_threemf_xml *xml,
     }
 }
 
+/* Whether a triangle can be drawn; otherwise it is left out. */
+static int has_vertices(const model_state *model, burnish_threemf_xml *xml,
+                        const uint32_t corners[3]) {
+    burnish_threemf *threemf = model->threemf;
+    int good = 1;
+    for (int i = 0; i < 3 && good; ++i) {
+        if (corners[i] >= model->vertex_count) {
+            burnish_reader_note(threemf->reader, &threemf->reader->damage, NULL,
+                                "%.80s:%u: v%d %u is out of range; there are %u vertices, counted "
+                                "from 0",
+                                xml->part, burnish_threemf_line(xml), i + 1, corners[i],
+                                model->vertex_count);
+            return 0;
+        }
+        const float *p = threemf->vertices.items[object_of(model)->first_vertex + corners[i]].xyz;
+        good = burnish_is_finitef(p[0]) && burnish_is_finitef(p[1]) && burnish_is_finitef(p[2]);
+    }
+    return good;
+}
+
 /* Missing properties of a triangle come from its object; p2 and p3 default to p1. */
 static int read_properties(const burnish_threemf_object *object, burnish_threemf_xml *xml,
                            const char *const *attributes, burnish_threemf_triangle *triangle) {
@@ -265,14 +289,13 @@ static void add_triangle(model_state *model, burnish_threemf_xml *xml,
     burnish_threemf_object *object = object_of(model);
     burnish_threemf_triangle triangle = {.paint = 0};
     for (int i = 0; i < 3; ++i) {
+        const char *text = burnish_threemf_attribute(attributes, names[i]);
+        triangle.corners[i] = BURNISH_THREEMF_NONE;
+        if (text && *text == '-') { /* out of range */
+            continue;
+        }
         if (!burnish_threemf_whole(xml, attributes, names[i], BURNISH_THREEMF_NONE,
                                    &triangle.corners[i])) {
-            return;
-        }
-        if (triangle.corners[i] >= model->vertex_count) {
-            burnish_threemf_fail(xml, BURNISH_STATUS_FORMAT,
-                                 "%s %u is out of range; there are %u vertices, counted from 0",
-                                 names[i], triangle.corners[i], model->vertex_count);
             return;
         }
     }
@@ -285,6 +308,9 @@ static void add_triangle(model_state *model, burnish_threemf_xml *xml,
         code = burnish_threemf_prefixed(attributes, "mmu_segmentation");
     }
     triangle.source = model->triangle_count++;
+    if (!has_vertices(model, xml, triangle.corners)) {
+        return;
+    }
     if (code && *code && burnish_threemf_is_paint(code)) {
         burnish_threemf_paint(threemf, object, &triangle, code);
         return;

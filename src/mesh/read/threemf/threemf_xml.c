@@ -145,9 +145,16 @@ int burnish_threemf_float(burnish_threemf_xml *xml, const char *const *attribute
     }
     const burnish_token token = token_of(text ? text : "");
     const burnish_number_status status = burnish_parse_float(token, value);
-    return status == BURNISH_NUMBER_OK ||
-           burnish_threemf_fail(xml, BURNISH_STATUS_FORMAT, "%s",
-                                burnish_describe_number(name, token, status).text);
+    const burnish_number_text fault = burnish_describe_number(name, token, status);
+    if (status == BURNISH_NUMBER_GARBAGE) {
+        return burnish_threemf_fail(xml, BURNISH_STATUS_FORMAT, "%s", fault.text);
+    }
+    if (status != BURNISH_NUMBER_OK) {
+        *value = __builtin_nanf("");
+        burnish_reader_note(xml->threemf->reader, &xml->threemf->reader->damage, NULL,
+                            "%.80s:%u: %s", xml->part, burnish_threemf_line(xml), fault.text);
+    }
+    return 1;
 }
 
 int burnish_threemf_whole(burnish_threemf_xml *xml, const char *const *attributes, const char *name,

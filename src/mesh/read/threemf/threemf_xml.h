@@ -82,7 +82,8 @@ const char *burnish_threemf_attribute(const char *const *attributes, const char 
 /* The same for an attribute with any prefix. */
 const char *burnish_threemf_prefixed(const char *const *attributes, const char *name);
 
-/* A finite number of the element, which is required. Returns 0 on failure. */
+/* A coordinate, which is required; NaN for one that is not finite, which is noted as damage. Returns
+ * 0 on failure. */
 int burnish_threemf_float(burnish_threemf_xml *xml, const char *const *attributes, const char *name,
                           float *value);
 
