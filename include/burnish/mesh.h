@@ -501,6 +501,8 @@ BURNISH_API const char *burnish_part_role_name(burnish_part_role role);
 typedef struct burnish_part {
     char name[BURNISH_NAME_SIZE]; /* may be "" */
     uint32_t id;                  /* of the object in the file */
+    uint32_t item; /* of the file, that placed it: negative volumes are subtracted from solids of
+                      the same item */
     burnish_part_role role;
     int plate;             /* its number; 0: none */
     int filament;          /* from 1; 0: none */
@@ -534,7 +536,8 @@ typedef struct burnish_contents {
 BURNISH_API const burnish_contents *burnish_mesh_get_contents(const burnish_mesh *mesh);
 
 /* The negative volumes of a mesh, which are no part of it: a mesh whose triangle_parts are numbers of
- * the first mesh's parts, in the same coordinates. Cuts of the first mesh do not change it. NULL:
+ * the first mesh's parts, in the same coordinates. Cuts of the first mesh do not change it. Pictures
+ * have them subtracted; facts, bounds, edges, shadows and occlusion are those without them. NULL:
  * there are none. */
 BURNISH_API const burnish_mesh *burnish_mesh_get_negatives(const burnish_mesh *mesh);
 

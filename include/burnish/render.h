@@ -293,7 +293,8 @@ typedef struct burnish_target {
                                for the background */
     size_t depth_stride;    /* at least 4 width, a multiple of 4 */
     uint32_t *triangles;    /* triangle id: the number in burnish_mesh_view.indices, or
-                               BURNISH_TRIANGLE_NONE */
+                               BURNISH_TRIANGLE_NONE; of a wall that a negative volume has cut,
+                               one of the object that it cuts */
     size_t triangle_stride; /* at least 4 width, a multiple of 4 */
     float *normals;       /* x, y, z of the interpolated normal in axes of the mesh, of unit length
                              within 2e-7, flipped on back-facing triangles; 0, 0, 0 for the

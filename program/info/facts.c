@@ -334,12 +334,14 @@ static void print_position(FILE *stream, const char *name, const float v[3], con
 }
 
 /* Why the volume can be misleading, or "". */
-static const char *volume_remark(const burnish_mesh_facts *f) {
+static const char *volume_remark(const info_report *r) {
+    const burnish_mesh_facts *f = r->facts;
     return !f->is_closed       ? " (meaningless: the surface is not closed)"
            : !f->is_consistent ? " (meaningless: triangles are wound both ways)"
            : !f->is_solid      ? " (the surface is flat)"
            : f->volume < 0     ? " (inside out: triangles are clockwise seen from outside)"
-                               : "";
+           : burnish_mesh_get_negatives(r->mesh) ? " (before negative volumes are subtracted)"
+                                                 : "";
 }
 
 /* 0 for rounding errors. */
@@ -408,7 +410,7 @@ static void print_surface(FILE *stream, const info_report *r) {
             info->normals_replaced ? ": those of the file smooth sharp edges" : "");
     fprintf(stream, "  %-20s  %.6g\n", "area", f->area);
     fprintf(stream, "  %-20s  %.6g%s\n", "volume", snap(f->volume, 1e-12 * f->area * size),
-            volume_remark(f));
+            volume_remark(r));
     print_vector(stream, "centre of mass", center, r, ", ");
     fprintf(stream, " (of the %s)\n", f->is_solid ? "solid" : "surface");
     fprintf(stream, "\n  %-20s  %s", "closed", f->is_closed ? "yes" : "no");

@@ -166,7 +166,8 @@ BURNISH_INLINE void start_edges(const large_triangle *large, int x, int y, edge_
 
 /* Classifies CELL_ROWS x CELL_COLUMNS cells from (x, y) on, and moves the edges to the next rows.
  * Returns bits of the cells in which the triangle may be visible; *inside receives bits of the
- * cells that it covers entirely. HiZ learns of these unless the triangle becomes a layer. */
+ * cells that it covers entirely. HiZ learns of these unless the triangle becomes a layer, or may be
+ * left out. */
 BURNISH_INLINE unsigned classify_cells(burnish_tile *tile, const large_triangle *large, int keep,
                                        int x, int y, edge_cells edges[3], unsigned *inside) {
     vi outside = vi_set(0), partly = vi_set(0);
@@ -184,7 +185,7 @@ BURNISH_INLINE unsigned classify_cells(burnish_tile *tile, const large_triangle 
         vm_and(vi_not_negative(outside), vf_greater(vf_add(depth, vf_set(large->nearest)), before));
     const vm full = vm_and(may_show, vi_not_negative(partly));
     *inside = vm_bits(full);
-    if (keep != KEEP_LAYER && *inside) {
+    if (keep < KEEP_LAYER && *inside) {
         vf_store(cells,
                  vf_blend(full, vf_max(vf_add(depth, vf_set(large->farthest)), before), before));
     }
@@ -257,6 +258,7 @@ BURNISH_INLINE vm draw_part(const burnish_tile *tile, const large_triangle *larg
             nearer = vm_and(nearer,
                             kind.samples == 1 ? part->covered : cover_sample(large, part->at, s));
         }
+        nearer = keep_chosen(tile, kind.keep, nearer, sample);
         *drawn |= vm_bits(nearer);
         if (kind.keep == KEEP_LAYER) {
             keep_layers(tile, nearer, after, vi_set(id), sample);

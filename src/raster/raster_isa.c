@@ -13,5 +13,5 @@ extern const burnish_raster_ops BURNISH_ISA_TABLE(burnish_raster_ops, VECTOR_WOR
 const burnish_raster_ops BURNISH_ISA_TABLE(burnish_raster_ops, VECTOR_WORD) = {
     OP(transform_vertices), OP(cull_and_bound), OP(bin_batches),        OP(project_to_maps),
     OP(draw_maps),          OP(draw_tile),      OP(draw_deeper_layers), OP(classify_block_row),
-    OP(next_fragments),     OP(mark_drawn),
+    OP(next_fragments),     OP(mark_drawn),     OP(draw_chosen),
 };

@@ -47,9 +47,13 @@ struct burnish_raster_ops {
     void (*draw_tile)(struct burnish_tile *tile, const struct burnish_geometry *geometry,
                       const struct burnish_bins *bins, int column, int row);
 
-    /* Collects the layers of the tile (column, row), which has been drawn, once more. */
+    /* Collects the layers of the tile (column, row), which has been drawn, or those behind. */
     void (*draw_deeper_layers)(struct burnish_tile *tile, const struct burnish_geometry *geometry,
                                const struct burnish_bins *bins, int column, int row);
+
+    /* Draws of the tile's transparent triangles what layers->chosen names, each where it is. */
+    void (*draw_chosen)(struct burnish_tile *tile, const struct burnish_geometry *geometry,
+                        const struct burnish_bins *bins, int column, int row);
 
     /* Finds which pixels of a block row are covered, and which of them are simple. */
     void (*classify_block_row)(const struct burnish_tile *tile, int row,

@@ -70,8 +70,9 @@ BURNISH_INLINE void compute_steps(const triangle_setup *setup, int samples, samp
 /* What is stored of a sample that is nearer than the stored one. */
 enum {
     KEEP_DEPTH,
-    KEEP_ID,   /* and depth */
-    KEEP_LAYER /* one more of its layers: depths and ids stay */
+    KEEP_ID,    /* and depth */
+    KEEP_LAYER, /* one more of its layers: depths and ids stay */
+    KEEP_CHOSEN /* depth and id, where layers->chosen has layers->current */
 };
 
 /* How triangles are drawn: constants where it is compiled, for most tiles. */
@@ -127,6 +128,15 @@ BURNISH_INLINE void keep_layers(const burnish_tile *tile, vm lanes, vf depth, vi
     }
 }
 
+/* Of the samples `lanes` from `sample` on, those that the triangle may be stored in. */
+BURNISH_INLINE vm keep_chosen(const burnish_tile *tile, int keep, vm lanes, int sample) {
+    const burnish_tile_layers *layers = tile->layers;
+    return keep == KEEP_CHOSEN
+               ? vm_and(lanes, vi_equal(vi_load((const int32_t *)layers->chosen + sample),
+                                        vi_set((int32_t)layers->current)))
+               : lanes;
+}
+
 /* Draws a stamp with several samples per pixel; e are the edge functions at the pixels' centres.
  * Depths alone are never kept. Returns whether a sample was nearer. */
 BURNISH_INLINE int draw_samples(const burnish_tile *tile, const stamp_constants *constants,
@@ -144,6 +154,7 @@ BURNISH_INLINE int draw_samples(const burnish_tile *tile, const stamp_constants 
         vf depth = depth_from(constants->depth, weight_from(constants, at, 1),
                               weight_from(constants, at, 2));
         vm nearer = vm_and(covered, vf_greater(depth, vf_load(tile->buffer.depths + sample)));
+        nearer = keep_chosen(tile, kind.keep, nearer, sample);
         drawn |= vm_bits(nearer);
         if (kind.keep == KEEP_LAYER) {
             keep_layers(tile, nearer, depth, constants->id, sample);

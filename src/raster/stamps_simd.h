@@ -29,6 +29,7 @@ BURNISH_INLINE void draw_stamp(burnish_tile *tile, const stamp_constants *consta
     vf depth = depth_from(constants->depth, weight1, weight2);
     vf before = vf_load(tile->buffer.depths + pixel);
     vm nearer = vm_and(covered, vf_greater(depth, before));
+    nearer = keep_chosen(tile, kind.keep, nearer, pixel);
     if (kind.keep == KEEP_LAYER) {
         keep_layers(tile, nearer, depth, constants->id, pixel);
         mark_dirty(tile, pixel, vm_any(nearer));

@@ -19,7 +19,7 @@ static void create_primitives(burnish_tile_primitives *primitives, size_t capaci
     primitives->capacity = capacity;
 }
 
-static burnish_tile_layers *create_layers(size_t samples, burnish_memory *memory) {
+static burnish_tile_layers *create_layers(size_t samples, int has_chosen, burnish_memory *memory) {
     burnish_tile_layers *layers = burnish_allocate_zeroed(memory, 1, sizeof *layers, "layers");
     if (layers) {
         layers->block_samples =
@@ -29,6 +29,9 @@ static burnish_tile_layers *create_layers(size_t samples, burnish_memory *memory
         layers->indices = burnish_allocate(memory, count, sizeof *layers->indices, "layers");
         layers->counts = burnish_allocate(memory, samples, sizeof *layers->counts, "layers");
         layers->fronts = burnish_allocate(memory, samples, sizeof *layers->fronts, "layers");
+        if (has_chosen) {
+            layers->chosen = burnish_allocate(memory, samples, sizeof *layers->chosen, "layers");
+        }
     }
     return layers;
 }
@@ -39,6 +42,7 @@ static void destroy_layers(burnish_tile_layers *layers, const burnish_context *c
         burnish_release(context, layers->indices);
         burnish_release(context, layers->counts);
         burnish_release(context, layers->fronts);
+        burnish_release(context, layers->chosen);
         burnish_release(context, layers);
     }
 }
@@ -83,7 +87,7 @@ burnish_status burnish_tile_create(burnish_tile *tile, const burnish_tile_option
         create_primitives(&tile->primitives, needed < most ? needed : most, &memory);
     }
     if (options->has_layers) {
-        tile->layers = create_layers(count, &memory);
+        tile->layers = create_layers(count, options->has_layers > 1, &memory);
     }
     return memory.status;
 }

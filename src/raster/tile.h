@@ -40,7 +40,9 @@ typedef struct burnish_tile_options {
     int keep_ids;       /* 1: ids are requested, also with one sample */
     int needs_position; /* 1: fragments get x, y and depth, simple pixels the depth at their centre
                          */
-    int has_layers;     /* 1: transparent triangles are kept as layers; 0: they are left out */
+    int has_layers;     /* 1: transparent triangles are kept as layers; 0: they are left out; 2: as
+                           1, but they are only collected by draw_deeper_layers, and some
+                           can be chosen of them */
     int primitives;     /* burnish_tile_primitives_of(geometry); 0: any number */
 } burnish_tile_options;
 
@@ -126,6 +128,8 @@ typedef struct burnish_tile_layers {
     float *fronts;         /* per sample: the last layer of the pass before */
     size_t dropped;        /* since the tile was created, or since it was set to 0 */
     size_t dropped_before; /* the current tile */
+    uint32_t *chosen;      /* per sample, as indices: what draw_chosen draws; NULL: nothing */
+    uint32_t current;      /* draw_chosen's triangle, as in indices */
 } burnish_tile_layers;
 
 /* Where the nearest layer of a sample lies, in the order of burnish_sample_index. The next one is

@@ -192,10 +192,32 @@ BURNISH_INLINE void draw_layers(burnish_tile *tile, const triangle_setup *setup,
     }
 }
 
-/* Draws primitives in their order; all are front- or all back-facing, and are to become layers or
- * not. */
+/* Draws a group of triangles where they were chosen of the layers. */
+BURNISH_INLINE void draw_chosen_group(burnish_tile *tile, const triangle_setup *setup,
+                                      const uint32_t *indices, unsigned back) {
+    const draw_kind kind = {tile->options.samples, tile->options.planes, KEEP_CHOSEN};
+    const int32_t first = (int32_t)tile->primitives.count;
+    sample_steps steps;
+    if (kind.samples > 1) {
+        append_primitives(&tile->primitives, setup);
+        compute_steps(setup, kind.samples, &steps);
+    }
+    for (unsigned rest = setup->live; rest; rest &= rest - 1) {
+        const size_t lane = (size_t)__builtin_ctz(rest);
+        if (kind.samples > 1 && setup->beyond >> lane & 1) {
+            append_64_bits(&tile->primitives, (size_t)first + lane, setup, lane);
+        }
+        tile->layers->current = indices[lane] * 2 + back;
+        draw_alone(tile, setup, &steps, lane, kind,
+                   kind.samples > 1 ? first + (int32_t)lane
+                                    : (int32_t)setup->primitives.id_and_facing[lane]);
+    }
+}
+
+/* Draws primitives in their order; all are front- or all back-facing. keep: KEEP_ID for whatever
+ * the tile's options say. */
 static void draw_primitives(burnish_tile *tile, const burnish_geometry *geometry,
-                            const uint32_t *indices, size_t count, unsigned back, int are_layers) {
+                            const uint32_t *indices, size_t count, unsigned back, int keep) {
     const burnish_tile_options *options = &tile->options;
     triangle_setup setup;
     tiny_pixels pixels = {0};
@@ -214,10 +236,13 @@ static void draw_primitives(burnish_tile *tile, const burnish_geometry *geometry
         load_group(tile, geometry, &setup, x, y, depth);
         compute_setup(tile, lanes, x, y, depth, &setup);
         if (setup.live & ~setup.small) {
-            prepare_large(options->samples, are_layers ? 0 : options->planes, &setup, &group);
+            prepare_large(options->samples, keep == KEEP_LAYER ? 0 : options->planes, &setup,
+                          &group);
         }
-        if (are_layers) {
+        if (keep == KEEP_LAYER) {
             draw_layers(tile, &setup, indices + first, back);
+        } else if (keep == KEEP_CHOSEN) {
+            draw_chosen_group(tile, &setup, indices + first, back);
         } else if (options->samples == 4 && options->planes == 3) {
             draw_multisampled(tile, &setup, 4, 3, &found, &queue);
         } else if (options->samples > 1) {
@@ -274,7 +299,8 @@ static size_t select_opaque(burnish_tile *tile, int are_layers, burnish_bin_entr
 /* Draws a list. Triangles that HiZ hides are left out: it is built every HIZ_AGE triangles, and at
  * once where others have been drawn before. */
 static void draw_list(burnish_tile *tile, const burnish_geometry *geometry,
-                      burnish_list_reader reader, unsigned back, int is_second, int are_layers) {
+                      burnish_list_reader reader, unsigned back, int is_second, int keep) {
+    const int are_layers = keep != KEEP_ID;
     burnish_bin_entry part[LIST_PART];
     uint32_t indices[LIST_PART * BURNISH_BATCH_SIZE];
     burnish_tile_primitives *primitives = &tile->primitives;
@@ -296,12 +322,12 @@ static void draw_list(burnish_tile *tile, const burnish_geometry *geometry,
             count = hiz_cull(tile, geometry, part, count);
         }
         count = expand_entries(part, count, indices);
-        if (tile->options.samples > 1 && !are_layers &&
+        if (tile->options.samples > 1 && keep != KEEP_LAYER &&
             primitives->count + count + BURNISH_TILE_PRIMITIVES_EXTRA > primitives->capacity) {
             evict_hidden(tile);
         }
         if (geometry->indices) {
-            draw_primitives(tile, geometry, indices, count, back, are_layers);
+            draw_primitives(tile, geometry, indices, count, back, keep);
         } else {
             const int32_t largest = draw_points(tile, geometry, indices, count);
             tile->largest_disc = largest > tile->largest_disc ? largest : tile->largest_disc;
@@ -318,7 +344,7 @@ static void draw_cloud(burnish_tile *tile, const burnish_geometry *geometry,
     point_blend blend;
     size_t count;
     tile->largest_disc = 0;
-    draw_list(tile, geometry, list, 0, 0, 0);
+    draw_list(tile, geometry, list, 0, 0, KEEP_ID);
     if (tile->options.planes == 0 || tile->largest_disc < BLEND_RADIUS) {
         return;
     }
@@ -339,18 +365,24 @@ static void draw_tile(burnish_tile *tile, const burnish_geometry *geometry,
         draw_cloud(tile, geometry, front);
         return;
     }
-    draw_list(tile, geometry, front, 0, 0, 0);
-    draw_list(tile, geometry, back, 1, !burnish_list_is_empty(front), 0);
-    if (tile->layers && tile->layers->has_some) {
-        draw_list(tile, geometry, front, 0, 1, 1);
-        draw_list(tile, geometry, back, 1, 1, 1);
+    draw_list(tile, geometry, front, 0, 0, KEEP_ID);
+    draw_list(tile, geometry, back, 1, !burnish_list_is_empty(front), KEEP_ID);
+    if (tile->layers && tile->layers->has_some && !tile->layers->chosen) {
+        draw_list(tile, geometry, front, 0, 1, KEEP_LAYER);
+        draw_list(tile, geometry, back, 1, 1, KEEP_LAYER);
     }
 }
 
 static void draw_deeper_layers(burnish_tile *tile, const burnish_geometry *geometry,
                                const burnish_bins *bins, int column, int row) {
-    draw_list(tile, geometry, burnish_list_begin(bins, column, row, 0), 0, 1, 1);
-    draw_list(tile, geometry, burnish_list_begin(bins, column, row, 1), 1, 1, 1);
+    draw_list(tile, geometry, burnish_list_begin(bins, column, row, 0), 0, 1, KEEP_LAYER);
+    draw_list(tile, geometry, burnish_list_begin(bins, column, row, 1), 1, 1, KEEP_LAYER);
+}
+
+static void draw_chosen(burnish_tile *tile, const burnish_geometry *geometry,
+                        const burnish_bins *bins, int column, int row) {
+    draw_list(tile, geometry, burnish_list_begin(bins, column, row, 0), 0, 1, KEEP_CHOSEN);
+    draw_list(tile, geometry, burnish_list_begin(bins, column, row, 1), 1, 1, KEEP_CHOSEN);
 }
 
 #endif

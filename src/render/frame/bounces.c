@@ -4,6 +4,10 @@
 /* A point that sees no sky keeps so much of its light, by which the first light is divided. */
 #define LEAST_OPEN 0x1p-10f
 
+/* The walls of negative volumes see so much of the sky, or more: depth maps have the whole solid
+ * before them. */
+#define HOLLOW_OPEN 0.7f
+
 void burnish_occlude_batch(const burnish_shading *shading, const burnish_fragment_batch *batch,
                            const burnish_kernels_points *points,
                            burnish_fragment_scratch *scratch) {
@@ -17,6 +21,11 @@ void burnish_occlude_batch(const burnish_shading *shading, const burnish_fragmen
     }
     burnish_occlude_points(shading->occlusion, shading->ops, &shared, batch->count,
                            &scratch->share);
+    for (int i = 0; shading->hollow_from > 0 && i < 2 * batch->count; ++i) {
+        float *const own = &scratch->share.open[i % 2][i / 2];
+        const int is_hollow = scratch->texture.ids[i / 2] >> 1 >= shading->hollow_from;
+        *own = is_hollow && *own < HOLLOW_OPEN ? HOLLOW_OPEN : *own;
+    }
     float *const open = scratch->share.open[0];
     for (int i = 0; i < batch->count && points->first_light; ++i) {
         open[i] = open[i] > LEAST_OPEN ? open[i] : LEAST_OPEN;

@@ -41,6 +41,7 @@ static int solve_transposed(const float rows[4][4], const double b[4], double x[
 /* In clip coordinates c = rows (p - origin, 1) a plane is L . c = 0, with w > 0 and L . c <= 0 on
  * the side that stays. So depth = z / w is linear in x / w and y / w, and what stays is farther
  * than the plane where L's z is above 0. */
+/* 1 where what stays is farther, -1 where it is nearer, 0 where the plane is seen edge on. */
 static int make_cap(const burnish_clip_plane *plane, const burnish_raster_view *view,
                     burnish_cap *cap) {
     const burnish_vec3 normal = burnish_vec3_load(plane->normal);
@@ -49,7 +50,7 @@ static int make_cap(const burnish_clip_plane *plane, const burnish_raster_view *
                                 burnish_vec3_dot(normal, burnish_vec3_loadf(view->origin)) -
                                     plane->offset};
     double in_clip[4];
-    if (!solve_transposed(view->rows, in_space, in_clip) || !(in_clip[2] > 0)) {
+    if (!solve_transposed(view->rows, in_space, in_clip) || in_clip[2] == 0) {
         return 0;
     }
     cap->right = -in_clip[0] / in_clip[2];
@@ -58,17 +59,29 @@ static int make_cap(const burnish_clip_plane *plane, const burnish_raster_view *
     cap->normal[0] = (float)unit.x;
     cap->normal[1] = (float)unit.y;
     cap->normal[2] = (float)unit.z;
-    return 1;
+    return in_clip[2] > 0 ? 1 : -1;
 }
 
 burnish_caps burnish_caps_create(const burnish_mesh_view *mesh, const burnish_raster_view *view) {
-    burnish_caps caps = {.inside = mesh->inside == BURNISH_INSIDE_BACK};
+    burnish_caps caps = {.inside = mesh->inside == BURNISH_INSIDE_BACK,
+                         .triangles = mesh->triangle_count};
     const int cuts = mesh->inside == BURNISH_INSIDE_UNKNOWN ? 0 : mesh->cut_count;
     for (int i = 0; i < cuts; ++i) {
         caps.items[caps.count].number = i;
-        caps.count += make_cap(&mesh->cuts[i], view, &caps.items[caps.count]);
+        caps.count += make_cap(&mesh->cuts[i], view, &caps.items[caps.count]) > 0;
     }
     return caps;
+}
+
+burnish_cap_range burnish_caps_range(const burnish_mesh_view *mesh,
+                                     const burnish_raster_view *view) {
+    burnish_cap_range range = {.count = 0};
+    for (int i = 0; i < mesh->cut_count; ++i) {
+        const int side = make_cap(&mesh->cuts[i], view, &range.items[range.count]);
+        range.is_exit[range.count] = side < 0;
+        range.count += side != 0;
+    }
+    return range;
 }
 
 const burnish_cap *burnish_caps_find(const burnish_caps *caps, double x, double y, float *depth) {

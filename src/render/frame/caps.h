@@ -22,9 +22,24 @@ typedef struct burnish_cap {
 
 typedef struct burnish_caps {
     int count;
-    unsigned inside; /* id_and_facing & 1 of triangles that are seen from inside */
+    unsigned inside;  /* id_and_facing & 1 of triangles that are seen from inside */
+    size_t triangles; /* the solid's; others follow them, and have no caps */
     burnish_cap items[BURNISH_CUTS_MAX];
 } burnish_caps;
+
+/* Whether a cap lies before a triangle, if a plane does. */
+static inline int burnish_caps_hold(const burnish_caps *caps, uint32_t id_and_facing) {
+    return (id_and_facing & 1) == caps->inside && id_and_facing >> 1 < caps->triangles;
+}
+
+/* The range of depths at (x, y) that cuts leave. */
+typedef struct burnish_cap_range {
+    int count;
+    burnish_cap items[BURNISH_CUTS_MAX];
+    int is_exit[BURNISH_CUTS_MAX]; /* 1: what stays is nearer */
+} burnish_cap_range;
+burnish_cap_range burnish_caps_range(const burnish_mesh_view *mesh,
+                                     const burnish_raster_view *view);
 
 /* Planes that are seen edge on, or from the side that stays, make no caps; count is 0 where the
  * mesh is not cut, or no solid. */

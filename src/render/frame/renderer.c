@@ -29,6 +29,7 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
         burnish_shadow_destroy(&renderer->shadow, context);
         burnish_attributes_destroy(&renderer->attributes, context);
         burnish_transparency_destroy(&renderer->transparency, context);
+        burnish_carving_destroy(&renderer->carving, context);
         burnish_casters_destroy(&renderer->casters, context);
         burnish_texturing_destroy(&renderer->texturing, context);
         burnish_area_destroy(&renderer->area, context);
@@ -73,6 +74,7 @@ static burnish_status draw_checked(burnish_renderer *renderer, const burnish_mes
                          .mesh = {mesh, burnish_mesh_get_view(mesh),
                                   burnish_mesh_get_material_count(mesh), options->ignore_colors,
                                   NULL, 0},
+                         .solid = burnish_mesh_get_view(mesh),
                          .options = &resolved,
                          .target = *target,
                          .counts = report ? options->counts : BURNISH_COUNTS_NONE,

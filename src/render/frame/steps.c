@@ -12,6 +12,11 @@ static const burnish_transparency *transparency_of(const burnish_call *d) {
     return d->renderer->transparency.has_some ? &d->renderer->transparency : NULL;
 }
 
+/* NULL where there are no negative volumes. */
+static const burnish_carving *carving_of(const burnish_call *d) {
+    return d->renderer->carving.own_count > 0 ? &d->renderer->carving : NULL;
+}
+
 static int is_part(const burnish_call *d) {
     return d->options->row_count > 0;
 }
@@ -70,6 +75,10 @@ static burnish_status transform_geometry(burnish_call *d) {
         status = burnish_transparency_add_clipped(&renderer->transparency, &renderer->geometry,
                                                   &d->memory);
     }
+    if (status == BURNISH_STATUS_OK && carving_of(d)) {
+        status = burnish_carving_find(&renderer->carving, &renderer->geometry, transparency_of(d),
+                                      &d->view.raster, &d->memory);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_tasks_check(&renderer->tasks, d->memory.error);
     }
@@ -90,8 +99,8 @@ static burnish_vec3 up_of(const burnish_call *d) {
 /* Blended triangles cast no shadow, masked ones by their pieces. */
 static burnish_status set_drawer(burnish_call *d) {
     burnish_renderer *renderer = d->renderer;
-    const burnish_status status = burnish_casters_update(&renderer->casters, d->mesh.view,
-                                                         &renderer->transparency, &d->memory);
+    const burnish_status status =
+        burnish_casters_update(&renderer->casters, d->solid, &renderer->transparency, &d->memory);
     renderer->occlusion.drawer.ops = d->raster;
     renderer->occlusion.drawer.transparent = renderer->casters.transparent;
     renderer->occlusion.drawer.max_overdraw = d->options->max_overdraw;
@@ -268,7 +277,7 @@ static burnish_status update_area(burnish_call *d, burnish_texturing *texturing)
 static burnish_status update_ground(burnish_call *d) {
     burnish_renderer *renderer = d->renderer;
     burnish_ground *ground = &renderer->ground;
-    const burnish_mesh_view *mesh = d->mesh.view;
+    const burnish_mesh_view *mesh = d->solid;
     const burnish_vec3 eye = burnish_vec3_load(d->view.eye);
     const double origin[3] = {0, 0, 0};
     const burnish_render_options *options = d->options;
@@ -305,7 +314,7 @@ static int marks_drawn(const burnish_call *d) {
 /* The bytes where drawn triangles are marked, all 0. */
 static uint8_t *clear_drawn(burnish_call *d) {
     burnish_renderer *renderer = d->renderer;
-    const size_t count = d->report.triangles;
+    const size_t count = d->mesh.view->triangle_count;
     if (!marks_drawn(d) || count == 0) {
         return NULL;
     }
@@ -329,7 +338,7 @@ static burnish_vec3 corner_of(const burnish_mesh_view *mesh, size_t corner) {
 
 /* Sums in the order of the triangles, whatever the threads. */
 static void measure_hidden(burnish_call *d) {
-    const burnish_mesh_view *mesh = d->mesh.view;
+    const burnish_mesh_view *mesh = d->solid;
     double hidden = 0, all = 0;
     for (size_t i = 0; d->counts == BURNISH_COUNTS_AREA && i < mesh->triangle_count; ++i) {
         const burnish_vec3 a = corner_of(mesh, 3 * i);
@@ -353,7 +362,7 @@ static int layer_passes(const burnish_call *d) {
 static burnish_status draw_tiles(burnish_call *d) {
     burnish_renderer *renderer = d->renderer;
     const burnish_caps caps = d->mesh.view->cut_count > 0
-                                  ? burnish_caps_create(d->mesh.view, &d->view.raster)
+                                  ? burnish_caps_create(d->solid, &d->view.raster)
                                   : (burnish_caps){0};
     const burnish_backdrop backdrop = d->options->background_environment
                                           ? burnish_backdrop_make(d->options, up_of(d))
@@ -371,7 +380,10 @@ static burnish_status draw_tiles(burnish_call *d) {
                    .view = &d->view,
                    .ground = d->report.ground ? &d->view.ground : NULL,
                    .backdrop = d->options->background_environment ? &backdrop : NULL,
-                   .outline = d->outline},
+                   .outline = d->outline,
+                   .own_triangles = d->solid->triangle_count,
+                   .hosts = carving_of(d) ? renderer->carving.hosts : NULL},
+        .carving = carving_of(d),
         .counts_pixels = d->counts != BURNISH_COUNTS_NONE,
         .layer_passes = layer_passes(d),
         .drawn = clear_drawn(d),
@@ -432,7 +444,7 @@ static burnish_status draw_outlined(burnish_call *d) {
 static burnish_status find_lines(burnish_call *d) {
     burnish_renderer *renderer = d->renderer;
     const burnish_line_view view = {&d->view.raster, d->view.distance};
-    return burnish_line_art_update(&renderer->line_art, d->mesh.view, &view, d->options, &d->target,
+    return burnish_line_art_update(&renderer->line_art, d->solid, &view, d->options, &d->target,
                                    &renderer->tasks, &d->memory);
 }
 
@@ -501,9 +513,12 @@ burnish_status burnish_call_run(burnish_call *d) {
     renderer->texturing.kernels = d->view.shading.kernels;
     renderer->texturing.ops = d->view.shading.ops;
     d->report.threads = burnish_tasks_threads(&renderer->tasks);
-    d->report.triangles = d->mesh.view->triangle_count;
-    burnish_status status =
-        burnish_layering_update(&renderer->layering, &d->mesh, &d->view.shading, &d->memory);
+    d->report.triangles = d->solid->triangle_count;
+    burnish_status status = burnish_carving_update(&renderer->carving, &d->mesh, &d->memory);
+    if (status == BURNISH_STATUS_OK) {
+        status =
+            burnish_layering_update(&renderer->layering, &d->mesh, &d->view.shading, &d->memory);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_texturing_update(&renderer->texturing, &d->mesh, d->options->samples,
                                           &renderer->tasks, &d->memory);
@@ -513,6 +528,8 @@ burnish_status burnish_call_run(burnish_call *d) {
         status = burnish_view_create(&d->mesh, d->options, &renderer->shaders, texturing, &d->view,
                                      &d->memory);
         d->report.lobe_fallbacks = d->view.lobe_fallbacks;
+        d->view.raster.cull_back_faces &= !carving_of(d);
+        d->view.shading.hollow_from = renderer->carving.own_count;
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_transparency_update(&renderer->transparency, &d->mesh, texturing,

@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "core/tasks.h"
 #include "raster/raster_ops.h"
+#include "render/frame/carving.h"
 #include "render/frame/target.h"
 #include "render/light/casters.h"
 #include "render/lines/lines.h"
@@ -17,9 +18,10 @@ typedef struct burnish_frame {
     const burnish_geometry *geometry;
     burnish_surface surface;
     burnish_output output;
-    int counts_pixels; /* 1: covered pixels and their bounds are counted */
-    int layer_passes;  /* of transparent layers, [1, BURNISH_LAYER_PASSES] */
-    uint8_t *drawn;    /* a byte per triangle of the mesh, set when it shows in a sample; or NULL */
+    const burnish_carving *carving; /* NULL: nothing is carved */
+    int counts_pixels;              /* 1: covered pixels and their bounds are counted */
+    int layer_passes;               /* of transparent layers, [1, BURNISH_LAYER_PASSES] */
+    uint8_t *drawn; /* a byte per triangle of the mesh, set when it shows in a sample; or NULL */
     burnish_tasks *tasks;
     const burnish_context *context; /* whose memory is used */
 } burnish_frame;
@@ -61,6 +63,7 @@ struct burnish_renderer {
     burnish_geometry geometry;
     burnish_attributes attributes;
     burnish_transparency transparency;
+    burnish_carving carving;
     burnish_casters casters;
     burnish_texturing texturing;
     burnish_area area;
@@ -84,6 +87,7 @@ struct burnish_renderer {
 typedef struct burnish_call {
     burnish_renderer *renderer;
     burnish_drawn_mesh mesh;
+    const burnish_mesh_view *solid; /* its view, without negative volumes */
     const burnish_render_options *options;
     burnish_target target;
     burnish_counts counts;

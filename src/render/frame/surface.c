@@ -419,7 +419,7 @@ static void shade_run(const burnish_surface *surface, const burnish_tile *tile,
             burnish_find_materials(surface, tile, run, &row->pixels, scratch->material + run.first);
         batch.material = scratch->material + run.first;
     }
-    if (surface->shading->texturing) {
+    if (surface->shading->texturing || surface->shading->hollow_from > 0) {
         find_triangles(tile, run, &row->pixels, scratch->texture.ids);
     }
     shade_batch(surface->shading, &batch, scratch, rgb);
@@ -438,7 +438,7 @@ void burnish_cap_block_row(const burnish_surface *surface, const burnish_tile *t
             continue;
         }
         const uint32_t id = burnish_tile_id_and_facing(tile, number, i, simple);
-        const burnish_cap *cap = (id & 1) == surface->caps->inside
+        const burnish_cap *cap = burnish_caps_hold(surface->caps, id)
                                      ? burnish_caps_find(surface->caps, x + 0.5 - view->width * 0.5,
                                                          view->height * 0.5 - y - 0.5,
                                                          &tile->buffer.center_depths[pixel])
@@ -544,7 +544,7 @@ static void cap_fragments(const burnish_surface *surface, const burnish_tile *ti
         const uint32_t id = fragments->primitives[i].id_and_facing;
         const int pixel = fragments->pixels[i];
         const burnish_cap *cap =
-            (id & 1) == surface->caps->inside
+            burnish_caps_hold(surface->caps, id)
                 ? burnish_caps_find(surface->caps, (double)fragments->x[i], (double)fragments->y[i],
                                     &fragments->depth[i])
                 : NULL;

@@ -85,7 +85,8 @@ typedef struct burnish_shading {
     const struct burnish_occlusion_lookup *occlusion; /* NULL: none */
     const struct burnish_shadow_lookup *shadow;       /* of the first light; NULL: none */
     const burnish_texturing *texturing;               /* NULL: no material is special */
-    const burnish_area *area;                         /* NULL: no light from many directions */
+    size_t hollow_from; /* triangles from this one on bound hollows of negative volumes; 0: none */
+    const burnish_area *area; /* NULL: no light from many directions */
     /* the body by which `kernels->shade_mixed` shades all materials at once; NONE: it can't */
     burnish_lobe_body mixed_body;
     int is_alike;        /* 1: all materials have one lobe and specular colour */

@@ -80,8 +80,10 @@ typedef struct burnish_output {
     const burnish_ground_view *ground; /* NULL: none is seen */
     const burnish_backdrop *backdrop;  /* NULL: the background has one colour */
     const burnish_outline *outline;    /* receives the samples of its rows, or NULL */
-    const uint8_t *background;         /* a row of the target where nothing is */
-    size_t pixel_size;                 /* bytes */
+    size_t own_triangles;              /* of the mesh; planes show others as */
+    const uint32_t *hosts;     /* triangles of the mesh, one for each; NULL: there are none */
+    const uint8_t *background; /* a row of the target where nothing is */
+    size_t pixel_size;         /* bytes */
 } burnish_output;
 
 /* What is kept from frame to frame: the row of background. All zero before the first. */

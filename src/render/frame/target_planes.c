@@ -86,6 +86,9 @@ static plane_pixel pixel_of(const burnish_output *output, float depth, uint32_t 
                             float (*normals)[BURNISH_SHADE_BATCH], int i) {
     const burnish_target *target = &output->target;
     plane_pixel pixel = {0, source >> 1, {0, 0, 0}};
+    if (output->hosts && pixel.triangle >= output->own_triangles) {
+        pixel.triangle = output->hosts[pixel.triangle - output->own_triangles];
+    }
     if (target->depth) {
         pixel.distance = distance_of(output->view, depth);
     }

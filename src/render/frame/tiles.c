@@ -18,6 +18,8 @@ struct burnish_tile_worker {
     burnish_row_light row;
     burnish_tile_sums sums;
     burnish_layer_light *layers; /* NULL where nothing is transparent */
+    burnish_carver *carver;      /* NULL where nothing is carved */
+    int is_carved_too_much;
     size_t covered_pixels;
     int bounds[4];
 };
@@ -32,9 +34,26 @@ struct burnish_tile_worker {
 static int rasterize_tile(const burnish_frame *frame, const burnish_bins *bins,
                           burnish_tile_worker *worker, int column, int row) {
     const burnish_transparency *transparency = frame->surface.transparency;
-    worker->tile.transparent = transparency ? transparency->masks : NULL;
-    return burnish_tile_draw(&worker->tile, frame->ops, frame->surface.view, frame->geometry, bins,
-                             column, row);
+    const burnish_carving *carving = frame->carving;
+    burnish_tile *tile = &worker->tile;
+    tile->transparent = transparency ? transparency->masks : NULL;
+    if (carving) {
+        tile->transparent = transparency ? carving->layered : carving->masks;
+    }
+    const int is_covered = burnish_tile_draw(tile, frame->ops, frame->surface.view, frame->geometry,
+                                             bins, column, row);
+    if (carving && tile->layers->has_some) {
+        tile->transparent = carving->masks;
+        const burnish_carve_scene scene = {carving, frame->ops, frame->surface.view,
+                                           frame->geometry};
+        worker->is_carved_too_much |= !burnish_carve_tile(worker->carver, tile, &scene, bins);
+        tile->layers->has_some = 0;
+        if (transparency) {
+            tile->transparent = transparency->masks;
+            frame->ops->draw_deeper_layers(tile, frame->geometry, bins, column, row);
+        }
+    }
+    return is_covered;
 }
 
 /* The sums of pixels that several triangles share. */
@@ -334,6 +353,7 @@ static void destroy_workers(burnish_tiles *tiles, const burnish_context *context
     for (int i = 0; i < tiles->worker_count; ++i) {
         burnish_tile_destroy(&tiles->workers[i].tile);
         burnish_release(context, tiles->workers[i].layers);
+        burnish_release(context, tiles->workers[i].carver);
     }
     burnish_release(context, tiles->workers);
     tiles->workers = NULL;
@@ -356,6 +376,8 @@ static burnish_status create_workers(burnish_tiles *tiles, int count,
         status = burnish_tile_create(&worker->tile, options, context, error);
         if (status == BURNISH_STATUS_OK && options->has_layers) {
             worker->layers = burnish_layer_light_create(options->samples, &memory);
+            worker->carver =
+                options->has_layers > 1 ? burnish_carver_create(options->samples, &memory) : NULL;
             status = memory.status;
         }
     }
@@ -381,10 +403,10 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
         .samples = frame->output.samples,
         .planes = burnish_surface_planes(surface),
         .keep_ids = surface->triangle_materials || frame->drawn || target->triangles ||
-                    surface->caps || surface->shading->texturing,
+                    surface->caps || surface->shading->texturing || frame->carving,
         .needs_position = surface->shading->needs_position || target->depth || surface->caps ||
                           surface->shading->texturing,
-        .has_layers = surface->transparency != NULL,
+        .has_layers = frame->carving ? 2 : surface->transparency != NULL,
         .primitives = burnish_tile_primitives_of(frame->geometry)};
     burnish_status status = BURNISH_STATUS_OK;
     const int threads = worker_count(frame);
@@ -396,6 +418,7 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
     for (int i = 0; i < tiles->worker_count; ++i) {
         burnish_tile_worker *worker = &tiles->workers[i];
         worker->covered_pixels = 0;
+        worker->is_carved_too_much = 0;
         if (surface->shading->texturing) {
             burnish_texture_begin(&worker->scratch.texture);
         }
@@ -415,6 +438,14 @@ burnish_status burnish_frame_draw(const burnish_frame *frame, burnish_tiles *til
     burnish_status status = prepare_workers(frame, tiles, error);
     if (status == BURNISH_STATUS_OK) {
         status = draw_tiles(frame, tiles, error);
+    }
+    for (int i = 0; status == BURNISH_STATUS_OK && i < tiles->worker_count; ++i) {
+        if (tiles->workers[i].is_carved_too_much) {
+            status = burnish_fail(error, BURNISH_STATUS_LIMIT,
+                                  "negative volumes: more than %d of an object, or more than %d "
+                                  "surfaces, lie over a sample; join some in the slicer",
+                                  BURNISH_NEGATIVES_MAX, BURNISH_TRANSPARENT_LAYERS_MAX);
+        }
     }
     if (status == BURNISH_STATUS_OK) {
         merge_counts(tiles, report);

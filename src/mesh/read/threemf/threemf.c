@@ -219,9 +219,6 @@ static void warn_not_drawn(const burnish_threemf *threemf) {
                             threemf->not_drawn_count == 1 ? " is" : "s are", threemf->not_drawn,
                             threemf->has_more ? " and others" : "");
     }
-    if (threemf->has_negatives) {
-        burnish_reader_warn(threemf->reader, NULL, "negative volumes are not subtracted");
-    }
 }
 
 /* Draws the thumbnail of a file that has nothing else to draw, if the caller permits. */

@@ -202,7 +202,7 @@ typedef struct burnish_threemf {
 
     char not_drawn[360]; /* names of parts that are not drawn */
     size_t not_drawn_count;
-    int has_more, has_negatives; /* 1: than these names; among them */
+    int has_more; /* 1: than these names */
     burnish_warning_group missing, bad_paint, bad_properties, mixed, slices;
 } burnish_threemf;
 

@@ -261,7 +261,6 @@ static void note_not_drawn(burnish_threemf *threemf, const burnish_part *part) {
     const int size = snprintf(line, sizeof line, *part->name ? "%s%s \"%s\"" : "%s%s",
                               used > 0 ? ", " : "", burnish_part_role_name(part->role), part->name);
     ++threemf->not_drawn_count;
-    threemf->has_negatives |= part->role == BURNISH_PART_NEGATIVE;
     if (strstr(threemf->not_drawn, line + (used > 0 ? 2 : 0))) {
         return;
     }
@@ -277,11 +276,12 @@ static int list_part_of(scene_writer *writer, const scene_place *place, burnish_
     burnish_threemf *threemf = writer->threemf;
     burnish_mesh_data *mesh = writer->mesh;
     part->id = writer->item->id;
+    part->item = (uint32_t)(writer->item - threemf->items.items);
     part->plate = writer->item->plate == BURNISH_THREEMF_NONE
                       ? 0
                       : threemf->plates.items[writer->item->plate].number;
     memcpy(part->transform, place->matrix, sizeof part->transform);
-    if (part->role != BURNISH_PART_SOLID) {
+    if (part->role != BURNISH_PART_SOLID && part->role != BURNISH_PART_NEGATIVE) {
         note_not_drawn(threemf, part);
     }
     if (mesh->part_count == BURNISH_PARTS_MAX) {
