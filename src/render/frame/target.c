@@ -184,15 +184,10 @@ static void resolve_layered_pixel(const burnish_output *output, const burnish_ti
     row->pixels.simple[i] = is_simple ? row->pixels.simple[i] : 0; /* it shows something */
 }
 
-/* The bits of a row's block whose pixels show layers. */
-static unsigned layered_pixels(const burnish_tile_sums *sums, int number, int block) {
-    return sums->layers ? sums->layers->covered[number * BURNISH_TILE_BLOCKS + block] : 0;
-}
-
 static void resolve_layers(const burnish_output *output, const burnish_tile *tile,
                            const burnish_tile_sums *sums, int number, burnish_row_light *row) {
     for (int block = 0; block < BURNISH_TILE_BLOCKS; ++block) {
-        for (unsigned rest = layered_pixels(sums, number, block); rest; rest &= rest - 1) {
+        for (unsigned rest = burnish_layered_pixels(sums, number, block); rest; rest &= rest - 1) {
             const int i = block * BURNISH_BLOCK_PIXELS + __builtin_ctz(rest);
             resolve_layered_pixel(output, tile, sums, number, i, row);
         }
@@ -280,7 +275,7 @@ static void encode_row(const burnish_output *output, const burnish_tile_sums *su
 static void encode_layered_alpha(const burnish_output *output, const burnish_tile_sums *sums,
                                  int number, uint32_t *codes) {
     for (int block = 0; block < BURNISH_TILE_BLOCKS && output->transparent; ++block) {
-        for (unsigned rest = layered_pixels(sums, number, block); rest; rest &= rest - 1) {
+        for (unsigned rest = burnish_layered_pixels(sums, number, block); rest; rest &= rest - 1) {
             const int i = block * BURNISH_BLOCK_PIXELS + __builtin_ctz(rest);
             const float alpha = sums->layers->alpha[number * BURNISH_BLOCK_ROW_PIXELS + i];
             codes[i] = (codes[i] & 0xffffffu) | (uint32_t)(255 * alpha + 0.5f) << 24;
@@ -302,7 +297,7 @@ static void store_light(const burnish_output *output, const burnish_tile_sums *s
         } else if (output->samples > 1 && output->transparent) {
             pixel[3] = (float)covered_samples(output, covered, row, i) / (float)output->samples;
         }
-        if (layered_pixels(sums, number, x / 4) >> i % BURNISH_BLOCK_PIXELS & 1 &&
+        if (burnish_layered_pixels(sums, number, x / 4) >> i % BURNISH_BLOCK_PIXELS & 1 &&
             output->transparent) {
             pixel[3] = sums->layers->alpha[number * BURNISH_BLOCK_ROW_PIXELS + i];
         }
@@ -353,106 +348,6 @@ static void store_pixels(const burnish_output *output, const burnish_tile *tile,
 
 /* ---- Ground ---- */
 
-/* Whether the background of a row of blocks differs from pixel to pixel, and how dark the ground's
- * shadow is there. */
-static int find_shadow(const burnish_output *output, const burnish_tile *tile, int number,
-                       float *shadow) {
-    int is_dark = output->backdrop != NULL;
-    if (!output->ground) {
-        memset(shadow, 0, is_dark ? BURNISH_BLOCK_ROW_PIXELS * sizeof *shadow : 0);
-        return is_dark;
-    }
-    const burnish_screen_points points = burnish_row_points(&output->view->raster, tile, number);
-    output->ops->shadow_ground(output->ground, &points, BURNISH_BLOCK_ROW_PIXELS, shadow);
-    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
-        is_dark |= shadow[i] > 0;
-    }
-    return is_dark;
-}
-
-/* The part of a pixel that shows background, in each channel. sums: NULL where nothing else is. */
-static void find_shares(const burnish_output *output, const burnish_tile_sums *sums, int number,
-                        const burnish_row_light *row, int i, float shares[3]) {
-    const int pixel = number * BURNISH_BLOCK_ROW_PIXELS + i;
-    const unsigned block = (unsigned)i / BURNISH_BLOCK_PIXELS;
-    float share = 1.0f;
-    int differ = 0;
-    if (sums && layered_pixels(sums, number, (int)block) >> i % BURNISH_BLOCK_PIXELS & 1) {
-        share = 1.0f - sums->layers->alpha[pixel];
-        differ = sums->layers->channel > 0;
-    } else if (sums && (row->pixels.simple[i] >= 0 || output->samples == 1)) {
-        share = row->pixels.simple[i] >= 0 ? 0.0f : 1.0f;
-    } else if (sums) {
-        share = (float)(output->samples - sums->covered[pixel]) / (float)output->samples;
-    }
-    for (int k = 0; k < 3; ++k) {
-        shares[k] = differ ? sums->layers->behind[k][pixel] : share;
-    }
-}
-
-/* Adds the environment, darkened by a shadow, where a resolved row shows background, which is black
- * so far. */
-static void add_backdrop(const burnish_output *output, const burnish_tile *tile,
-                         const burnish_tile_sums *sums, int number, const float *shadow,
-                         burnish_row_light *row) {
-    const burnish_tones *tones = &output->view->shading.tones;
-    float share[BURNISH_BLOCK_ROW_PIXELS][3], light[3][BURNISH_BLOCK_ROW_PIXELS];
-    float *const rgb[3] = {light[0], light[1], light[2]};
-    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
-        const int pixel = number * BURNISH_BLOCK_ROW_PIXELS + i;
-        float seen[3] = {0, 0, 0};
-        find_shares(output, sums, number, row, i, share[i]);
-        if (share[i][0] > 0 || share[i][1] > 0 || share[i][2] > 0) {
-            burnish_backdrop_light(output->backdrop, tile->x + burnish_pixel_x(pixel),
-                                   tile->y + burnish_pixel_y(pixel), seen);
-        }
-        for (int k = 0; k < 3; ++k) {
-            light[k][i] = seen[k];
-        }
-    }
-    if (!tones->is_linear) {
-        output->ops->map_tones(tones, BURNISH_BLOCK_ROW_PIXELS, rgb);
-    }
-    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
-        for (int k = 0; k < 3; ++k) {
-            const float value = light[k][i] < output->limit ? light[k][i] : output->limit;
-            const float part = share[i][k];
-            if (part != 0) {
-                row->rgb[k][i] = (part < 1 ? row->rgb[k][i] : 0) + part * (1 - shadow[i]) * value;
-            }
-        }
-    }
-}
-
-/* Darkens the background that a resolved row shows or, where there is none, puts black below what
- * it shows; alpha receives the row's. */
-static void darken_background(const burnish_output *output, const burnish_tile_sums *sums,
-                              int number, const float *shadow, burnish_row_light *row,
-                              float *alpha) {
-    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS && !sums; ++i) { /* most of all rows */
-        alpha[i] = output->transparent ? shadow[i] : 1.0f;
-        for (int k = 0; k < 3; ++k) {
-            const float background = output->transparent ? 0.0f : output->background_light[k];
-            row->rgb[k][i] = background - shadow[i] * background;
-        }
-    }
-    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS && sums; ++i) {
-        float share[3];
-        find_shares(output, sums, number, row, i, share);
-        alpha[i] = output->transparent ? (1.0f - share[0]) + share[0] * shadow[i] : 1.0f;
-        for (int k = 0; k < 3; ++k) {
-            const float dark = share[k] * shadow[i], before = 1.0f - share[k];
-            float *light = &row->rgb[k][i];
-            const float background = output->background_light[k];
-            if (output->transparent) {
-                *light = before > 0 ? *light * (before / alpha[i]) : 0.0f;
-            } else {
-                *light = (before > 0 ? *light : background) - dark * background;
-            }
-        }
-    }
-}
-
 /* `width` pixels of row y of the blocks, as floats. */
 static void store_resolved(const burnish_row_light *row, const float *alpha, int y, int width,
                            uint8_t *out) {
@@ -471,12 +366,12 @@ static void store_on_ground(const burnish_output *output, const burnish_tile *ti
     float alpha[BURNISH_BLOCK_ROW_PIXELS];
     uint32_t codes[BURNISH_BLOCK_ROW_PIXELS];
     if (output->backdrop) {
-        add_backdrop(output, tile, sums, number, shadow, row);
+        burnish_add_backdrop(output, tile, sums, number, shadow, row);
         for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
             alpha[i] = 1;
         }
     } else {
-        darken_background(output, sums, number, shadow, row, alpha);
+        burnish_darken_background(output, sums, number, shadow, row, alpha);
     }
     if (output->target.pixels.format == BURNISH_PIXELS_RGBA_FLOAT) {
         for (int y = rows.first, top = number * BURNISH_BLOCK_SIZE; y < rows.end; ++y) {
@@ -505,7 +400,7 @@ void burnish_output_store_row(const burnish_output *output, const burnish_tile *
             resolve_row(output, sums, number, row);
         }
         resolve_layers(output, tile, sums, number, row);
-        if (find_shadow(output, tile, number, shadow)) {
+        if (burnish_find_shadow(output, tile, sums, number, shadow)) {
             store_on_ground(output, tile, sums, number, shadow, row);
         } else {
             store_pixels(output, tile, sums, number, row);
@@ -547,7 +442,7 @@ void burnish_output_store_background(const burnish_output *output, const burnish
     if (output->outline) {
         store_outline(output, tile, number, NULL);
     }
-    if (output->target.pixels.pixels && find_shadow(output, tile, number, shadow)) {
+    if (output->target.pixels.pixels && burnish_find_shadow(output, tile, NULL, number, shadow)) {
         burnish_row_light row;
         store_on_ground(output, tile, NULL, number, shadow, &row);
         return;

@@ -135,6 +135,33 @@ void burnish_output_store_row(const burnish_output *output, const burnish_tile *
 void burnish_output_store_codes(const burnish_output *output, const burnish_tile *tile, int number,
                                 const uint32_t *codes);
 
+/* ---- background.c ---- */
+
+/* The bits of a row's block whose pixels show layers. */
+static inline unsigned burnish_layered_pixels(const burnish_tile_sums *sums, int number,
+                                              int block) {
+    return sums->layers ? sums->layers->covered[number * BURNISH_TILE_BLOCKS + block] : 0;
+}
+
+/* Whether the background of a row of blocks differs from pixel to pixel, and how dark the ground's
+ * shadow is there. sums: NULL where nothing else is: what changes no code is no shadow there. */
+int burnish_find_shadow(const burnish_output *output, const burnish_tile *tile,
+                        const burnish_tile_sums *sums, int number, float *shadow);
+
+/* Adds the environment, darkened by a shadow, where a resolved row shows background, which is black
+ * so far. */
+void burnish_add_backdrop(const burnish_output *output, const burnish_tile *tile,
+                          const burnish_tile_sums *sums, int number, const float *shadow,
+                          burnish_row_light *row);
+
+/* Darkens the background that a resolved row shows or, where there is none, puts black below what
+ * it shows; alpha receives the row's. */
+void burnish_darken_background(const burnish_output *output, const burnish_tile_sums *sums,
+                               int number, const float *shadow, burnish_row_light *row,
+                               float *alpha);
+
+/* ---- target.c, again ---- */
+
 /* Fetches the lines of the target that a row of a tile's blocks, whose first pixel is (x, y), will
  * be written to. */
 void burnish_output_prefetch(const burnish_output *output, int x, int y);

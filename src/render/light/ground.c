@@ -286,6 +286,32 @@ static void add_light(ground_context *context, const burnish_shadow *shadow, bur
     darken(context, tasks);
 }
 
+/* Where the texture is dark. */
+static void find_dark(burnish_ground *ground) {
+    const int edge = ground->edge;
+    uint16_t columns[BURNISH_GROUND_SIZE] = {0}, rows[BURNISH_GROUND_SIZE] = {0};
+    for (int y = 0; y < edge; ++y) {
+        const uint16_t *texels = ground->texels + (size_t)y * (size_t)edge;
+        for (int x = 0; x < edge; ++x) {
+            const uint16_t is_dark = texels[x] >= BURNISH_GROUND_DARK * 65535;
+            columns[x] |= is_dark;
+            rows[y] |= is_dark;
+        }
+    }
+    for (int axis = 0; axis < 2; ++axis) {
+        const uint16_t *any = axis ? rows : columns;
+        int *dark = ground->dark[axis];
+        dark[0] = 0;
+        dark[1] = edge - 1;
+        while (dark[0] < dark[1] && !any[dark[0]]) {
+            ++dark[0];
+        }
+        while (dark[0] < dark[1] && !any[dark[1]]) {
+            --dark[1];
+        }
+    }
+}
+
 burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_render_ops *ops,
                                    const burnish_ground_light *light, burnish_tasks *tasks,
                                    burnish_memory *memory) {
@@ -312,6 +338,7 @@ burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_render_
         status = burnish_tasks_check(tasks, memory->error);
     }
     if (status == BURNISH_STATUS_OK) {
+        find_dark(ground);
         ground->maps = light->occlusion->mesh;
         ground->count = light->occlusion->count;
         ground->size = light->occlusion->size;
@@ -328,6 +355,33 @@ static void along_rays(const burnish_rays *rays, burnish_vec3 v, double out[3]) 
     out[0] = burnish_vec3_dot(v, burnish_vec3_loadf(rays->ray));
     out[1] = burnish_vec3_dot(v, burnish_vec3_loadf(rays->ray_x));
     out[2] = burnish_vec3_dot(v, burnish_vec3_loadf(rays->ray_y));
+}
+
+/* The part of the screen that the dark part of the texture takes, and a margin for rounding; all of
+ * it where a corner is not before the camera. */
+static void find_bounds(const burnish_ground *ground, burnish_ground_view *view) {
+    const burnish_vec3 column = burnish_vec3_loadf(view->column);
+    const burnish_vec3 row = burnish_vec3_loadf(view->row), depth = burnish_vec3_loadf(view->depth);
+    const burnish_vec3 from[3] = {burnish_vec3_cross(row, depth), burnish_vec3_cross(depth, column),
+                                  burnish_vec3_cross(column, row)}; /* the inverse's columns */
+    const double unit = burnish_vec3_dot(column, from[0]);
+    for (int corner = 0; corner < 4; ++corner) {
+        const double u = ground->dark[0][corner & 1] + (corner & 1 ? 2 : -2);
+        const double v = ground->dark[1][corner >> 1] + (corner >> 1 ? 2 : -2);
+        const burnish_vec3 along =
+            burnish_vec3_add(burnish_vec3_scale(from[0], u), burnish_vec3_scale(from[1], v));
+        const burnish_vec3 at = burnish_vec3_scale(burnish_vec3_add(along, from[2]), 1 / unit);
+        const float x = (float)(at.y / at.x), y = (float)(at.z / at.x);
+        if (!(at.x > 0 && unit != 0)) {
+            view->least[0] = view->least[1] = -__builtin_inff();
+            view->most[0] = view->most[1] = __builtin_inff();
+            return;
+        }
+        view->least[0] = corner == 0 || x - 1 < view->least[0] ? x - 1 : view->least[0];
+        view->least[1] = corner == 0 || y - 1 < view->least[1] ? y - 1 : view->least[1];
+        view->most[0] = corner == 0 || x + 1 > view->most[0] ? x + 1 : view->most[0];
+        view->most[1] = corner == 0 || y + 1 > view->most[1] ? y + 1 : view->most[1];
+    }
 }
 
 /* A ray in perspective is eye + t d with d = ray + x ray_x + y ray_y and meets the plane where t =
@@ -365,6 +419,7 @@ burnish_ground_view burnish_ground_look(const burnish_ground *ground, const burn
         view.row[i] = (float)(coordinates[0][i] * texels + middle_of(ground) * depth);
         view.column[i] = (float)(coordinates[1][i] * texels + middle_of(ground) * depth);
     }
+    find_bounds(ground, &view);
     return view;
 }
 

@@ -21,6 +21,10 @@ enum {
     BURNISH_GROUND_LAYERS = 8  /* widths of blur */
 };
 
+/* Weaker shadows change no 8-bit code of a background: 0.1 % of light are a quarter of a code at
+ * most, and 0.1 % of alpha are too. */
+#define BURNISH_GROUND_DARK 0.001f
+
 /* A depth map that sees the mesh from below, as points of the texture are looked up in it: of texel
  * (i, j) column, row and depth are dot products with (1, i, j). */
 typedef struct burnish_silhouette {
@@ -43,7 +47,8 @@ typedef struct burnish_ground {
     double height;              /* of the plane: p . up, in the raster's space */
     double reach;               /* half an edge of the texture */
     uint16_t *texels;           /* darkness, 65535 is black; 0 at the edge */
-    float *layers;              /* scratch: sums of silhouettes by width of blur */
+    int dark[2][2]; /* first and last column, first and last row with BURNISH_GROUND_DARK */
+    float *layers;  /* scratch: sums of silhouettes by width of blur */
     size_t capacity, layer_capacity;
 } burnish_ground;
 
@@ -64,6 +69,7 @@ typedef struct burnish_ground_view {
     float column[3], row[3], depth[3];
     float half[2];       /* of the image, in pixels */
     float per_border[2]; /* the shadow fades toward the image's edges: 1 / the widths of borders */
+    float least[2], most[2]; /* of x and y where the shadow has BURNISH_GROUND_DARK */
 } burnish_ground_view;
 
 /* Computes the plane. Errors: none. */

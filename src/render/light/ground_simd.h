@@ -41,11 +41,30 @@ BURNISH_INLINE silhouette_texels silhouette_at(const burnish_silhouette *silhoue
 /* Half the width of layer k's tent, about: 0, 2, 4, 8 ... texels. */
 #define LAYER_WIDTH(k) ((k) > 0 ? (float)(1 << (k)) : 0.0f)
 
+/* Narrows a range of texels [0] to [1] of a row to those where a map's coordinate, start + step x,
+ * is between 0 and `last`, and one more. */
+static void narrow(float start, float step, float last, float range[2]) {
+    if (step != 0) {
+        const float a = -start / step, b = (last - start) / step;
+        const float first = (a < b ? a : b) - 1, end = (a < b ? b : a) + 1;
+        range[0] = first > range[0] ? first : range[0];
+        range[1] = end < range[1] ? end : range[1];
+    }
+}
+
 static void add_silhouette(const burnish_silhouette *silhouette, float row, size_t count,
                            float *const *layers) {
     const vf y = vf_set(row), zero = vf_set(0.0f), one = vf_set(1.0f);
     const vf last = vf_set((float)(silhouette->size - 1));
-    for (size_t i = 0; i < count; i += LANES) {
+    const float *column_row = silhouette->column, *row_row = silhouette->row;
+    float range[2] = {0, (float)count};
+    narrow(column_row[0] + column_row[2] * row, column_row[1], (float)(silhouette->size - 1),
+           range);
+    narrow(row_row[0] + row_row[2] * row, row_row[1], (float)(silhouette->size - 1), range);
+    if (!(range[0] < range[1])) {
+        return;
+    }
+    for (size_t i = (size_t)range[0] / LANES * LANES; (float)i < range[1]; i += LANES) {
         const vf x = vf_from_int(vi_add(vi_ramp(1), vi_set((int32_t)i)));
         const vf column = ground_row(silhouette->column, x, y);
         const vf map_row = ground_row(silhouette->row, x, y);
