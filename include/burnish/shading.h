@@ -34,6 +34,8 @@ typedef enum burnish_texture_slot {
     BURNISH_TEXTURE_SPECULAR_STRENGTH,  /* r multiplies what a dielectric reflects */
     BURNISH_TEXTURE_ANISOTROPY,         /* 2 rg - 1: a direction that anisotropy turns; b
                                            multiplies its length */
+    BURNISH_TEXTURE_IRIDESCENCE,        /* r multiplies iridescence */
+    BURNISH_TEXTURE_FILM,               /* g: from film_thickness[0] to [1] */
     BURNISH_TEXTURE_COAT,               /* r multiplies coat */
     BURNISH_TEXTURE_COAT_ROUGHNESS,     /* g multiplies coat_roughness */
     BURNISH_TEXTURE_COAT_NORMAL,        /* as NORMAL, for the coat, which ignores NORMAL */
@@ -105,6 +107,13 @@ typedef struct burnish_material {
      * surface. Cosine and sine of the angle from the direction in which u grows, times the strength,
      * at most 1; 0, 0: they are not. Needs texture coordinates */
     float anisotropy[2];
+
+    /* Of materials with is_metallic 1: a film that is as thin as light's wavelength colours this share
+     * of what the surface reflects, as KHR_materials_iridescence of glTF has it. Its index of
+     * refraction, from 1 on, and its thickness in nanometres, [0, 1e6]: the second, without a
+     * texture. */
+    float iridescence;
+    float film_index, film_thickness[2];
 
     /* Sheen of textiles over all of the above, as KHR_materials_sheen of glTF has it: a colour; 0, 0, 0:
      * none. [0, 1]; a roughness below 0.1 counts as 0.1 */

@@ -191,6 +191,10 @@ typedef struct burnish_render_ops {
     void (*turn_normals)(float strength, const float *const normal[3], const float *const *tangent,
                          const float *const sample[4], size_t count, float *const out[4]);
 
+    /* Cosines between normals and the direction to the viewer, at least 0. */
+    void (*find_facing)(const struct burnish_kernels_shader *view,
+                        const struct burnish_kernels_points *points, size_t count, float *facing);
+
     /* The coefficients of count points from what textures hold there: in scratch, diffuse
      * (colours), and where bit BURNISH_TEXTURE_... of `sampled` is set, specular, exponent,
      * channels 1 and 2 of sample (METALLIC_ROUGHNESS) and open (OCCLUSION); where there are

@@ -238,6 +238,86 @@ static void test_layer(burnish_mesh *const meshes[SHAPES], int light, int kind,
     }
 }
 
+/* ---- Thin films: the formulas of KHR_materials_iridescence ---- */
+
+/* Light of a path, channel k. */
+static double film_sensitivity(int k, double path, double shift) {
+    static const double from_xyz[3][3] = {{3.2404542, -1.5371385, -0.4985314},
+                                          {-0.9692660, 1.8760108, 0.0415560},
+                                          {0.0556434, -0.2040259, 1.0572252}};
+    static const double value[3] = {5.4856e-13, 4.4201e-13, 5.2481e-13};
+    static const double at[3] = {1.6810e6, 1.7953e6, 2.2084e6};
+    static const double variance[3] = {4.3278e9, 9.3046e9, 6.6121e9};
+    const double phase = 2 * M_PI * path * 1e-9;
+    double sum = from_xyz[k][0] * 9.7470e-14 * sqrt(2 * M_PI * 4.5282e9) *
+                 cos(2.2399e6 * phase + shift) * exp(-4.5282e9 * phase * phase);
+    for (int j = 0; j < 3; ++j) {
+        sum += from_xyz[k][j] * value[j] * sqrt(2 * M_PI * variance[j]) *
+               cos(at[j] * phase + shift) * exp(-variance[j] * phase * phase);
+    }
+    return sum / 1.0685e-7;
+}
+
+/* Reflectance at normal incidence of a film of index 1.4 on a grey surface. */
+static double film_light(int k, double facing, double thickness, double f0) {
+    const double index = 1.4, base = (1 + sqrt(f0)) / (1 - sqrt(f0));
+    const double inside = sqrt(1 - (1 - facing * facing) / (index * index));
+    const double r12 = schlick(pow((index - 1) / (index + 1), 2), facing);
+    const double r23 = schlick(pow((base - index) / (base + index), 2), inside);
+    const double rs = (1 - r12) * (1 - r12) * r23 / (1 - r12 * r23);
+    double sum = r12 + rs, factor = rs - (1 - r12);
+    for (int m = 1; m <= 2; ++m) {
+        const double shift = m * (base < index ? 2 * M_PI : M_PI);
+        factor *= sqrt(r12 * r23);
+        sum += factor * 2 * film_sensitivity(k, m * 2 * index * thickness * inside, shift);
+    }
+    const double edge = schlick(0, facing);
+    return fmin(fmax((fmax(sum, 0) - edge) / (1 - edge), 0), 1);
+}
+
+/* A quad that is turned until a directional light is reflected toward the viewer. */
+static void draw_film(double angle, const burnish_material *material, float rgba[4]) {
+    enum { SMALL = 8 };
+    const float x = (float)cos(angle), z = (float)sin(angle);
+    const float corners[] = {-x, -1, -z, x, -1, z, x, 1, z, -x, 1, -z};
+    burnish_mesh_description arrays = describe_quads(corners, NULL, 1);
+    give_materials(&arrays, material, 1);
+    OWNED_MESH *mesh = create_mesh(&arrays, NULL);
+    burnish_render_options options = front_options(SMALL, SMALL, 1);
+    float light[SMALL][SMALL][4];
+    light_from(&options, -sin(2 * angle), 0, cos(2 * angle));
+    draw_floats(mesh, &options, light[0][0], NULL);
+    memcpy(rgba, light[SMALL / 2][SMALL / 2], sizeof light[0][0]);
+}
+
+static void test_film(void) {
+    static const double thickness[5] = {40, 120, 300, 550, 1200};
+    static const float f0[2] = {0.04f, 0.5f};
+    burnish_material plain_one = base_material();
+    double most = 0, spread = 0;
+    plain_one.metallic = 1;
+    plain_one.roughness = 0.8f;
+    for (int i = 0; i < 30; ++i) {
+        const double angle = i % 3 * 0.4, nm = thickness[i / 3 % 5], base = (double)f0[i / 15];
+        float without[4], with[4];
+        set_three(plain_one.diffuse, f0[i / 15]);
+        burnish_material film = plain_one;
+        film.iridescence = 1;
+        film.film_index = 1.4f;
+        film.film_thickness[1] = (float)nm;
+        draw_film(angle, &plain_one, without);
+        draw_film(angle, &film, with);
+        for (int k = 0; k < 3; ++k) {
+            const double ratio = (double)with[k] / (double)without[k];
+            const double should = film_light(k, cos(angle), nm, base) / base;
+            most = fmax(most, fabs(ratio - should) * base);
+            spread = fmax(spread, fabs(should - 1));
+        }
+    }
+    printf("  film: at most %.2g from its formula\n", most);
+    CHECK(most < 1e-4 && spread > 0.5, "%g, %g", most, spread);
+}
+
 /* ---- Textures ---- */
 
 enum { PIXELS = 40 };
@@ -310,6 +390,17 @@ static void test_layer_textures(void) {
     textured.textures[BURNISH_TEXTURE_SHEEN_ROUGHNESS] = uses[1];
     CHECK1(differ(&numbers, &textured, &most) < 3e-4 && most > 0.1);
 
+    numbers = textured = base_material();
+    numbers.film_index = textured.film_index = 1.3f;
+    numbers.iridescence = 128.0f / 255;
+    numbers.film_thickness[1] = 200 + 300 * 165.0f / 255;
+    textured.iridescence = 1;
+    textured.film_thickness[0] = 200;
+    textured.film_thickness[1] = 500;
+    textured.textures[BURNISH_TEXTURE_IRIDESCENCE] = uses[0];
+    textured.textures[BURNISH_TEXTURE_FILM] = uses[1];
+    CHECK1(differ(&numbers, &textured, &most) < 3e-4 && most > 0.1);
+
     burnish_material plastic = base_material(), coated = base_material();
     set_three(plastic.diffuse, 0);
     set_three(coated.diffuse, 0);
@@ -341,6 +432,7 @@ int main(int count, char **arguments) {
             RUN(test_layer(meshes, light, 2, environment));
         }
     }
+    RUN(test_film());
     RUN(test_layer_textures());
     burnish_environment_destroy(environment);
     for (int i = 0; i < SHAPES; ++i) {

@@ -53,7 +53,7 @@ static int has_wide_light(const render_shading_settings *shading) {
 static void drop_layers(burnish_material *material) {
     memset(material->sheen, 0, sizeof material->sheen);
     memset(material->anisotropy, 0, sizeof material->anisotropy);
-    material->coat = material->edge_loss = 0;
+    material->coat = material->edge_loss = material->iridescence = 0;
 }
 
 static void apply_preset(const render_preset *preset, int is_wide, burnish_material *material) {
@@ -158,8 +158,9 @@ static int is_black(const burnish_material *material, float least) {
         is_textured |= material->textures[i].texture != 0;
     }
     return material->has_diffuse && !material->is_unlit && !is_textured && material->coat == 0 &&
-           largest_of(material->sheen) == 0 && largest_of(material->emissive) == 0 &&
-           largest_of(material->diffuse) < least && specular < least && reflectance < least;
+           material->iridescence == 0 && largest_of(material->sheen) == 0 &&
+           largest_of(material->emissive) == 0 && largest_of(material->diffuse) < least &&
+           specular < least && reflectance < least;
 }
 
 /* Whether a file states that nothing of it reflects light, as exporters do by mistake. */

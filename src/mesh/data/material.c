@@ -46,11 +46,25 @@ const burnish_texture *burnish_mesh_get_texture(const burnish_mesh *mesh, size_t
 
 /* ---- Checks ---- */
 
-static const char *const slot_names[BURNISH_TEXTURE_SLOT_COUNT] = {
-    "color",          "specular",        "exponent",          "metallic_roughness", "normal",
-    "emissive",       "occlusion",       "opacity",           "transmission",       "thickness",
-    "sheen_color",    "sheen_roughness", "specular_strength", "anisotropy",         "coat",
-    "coat_roughness", "coat_normal"};
+static const char *const slot_names[BURNISH_TEXTURE_SLOT_COUNT] = {"color",
+                                                                   "specular",
+                                                                   "exponent",
+                                                                   "metallic_roughness",
+                                                                   "normal",
+                                                                   "emissive",
+                                                                   "occlusion",
+                                                                   "opacity",
+                                                                   "transmission",
+                                                                   "thickness",
+                                                                   "sheen_color",
+                                                                   "sheen_roughness",
+                                                                   "specular_strength",
+                                                                   "anisotropy",
+                                                                   "iridescence",
+                                                                   "film",
+                                                                   "coat",
+                                                                   "coat_roughness",
+                                                                   "coat_normal"};
 
 static burnish_status check_use(const burnish_texture_use *use, int slot, size_t texture_count,
                                 const char *name, burnish_error *error) {
@@ -106,6 +120,10 @@ burnish_status burnish_check_material(const burnish_material *material, size_t t
                    {"edge_loss", material->edge_loss, 0, 1},
                    {"anisotropy[0]", material->anisotropy[0], -1, 1},
                    {"anisotropy[1]", material->anisotropy[1], -1, 1},
+                   {"iridescence", material->iridescence, 0, 1},
+                   {"film_index", material->film_index, 0, 1e30f},
+                   {"film_thickness[0]", material->film_thickness[0], 0, 1e6f},
+                   {"film_thickness[1]", material->film_thickness[1], 0, 1e6f},
                    {"sheen_roughness", material->sheen_roughness, 0, 1},
                    {"coat", material->coat, 0, 1},
                    {"coat_roughness", material->coat_roughness, 0, 1},

@@ -37,6 +37,7 @@ const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD) = {
     OP(cover_samples),
     OP(interpolate_tangents),
     OP(turn_normals),
+    OP(find_facing),
     OP(vary_points),
     OP(bend_normals),
     OP(pass_points),

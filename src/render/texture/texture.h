@@ -177,6 +177,7 @@ typedef struct burnish_texture_scratch {
     float open[BURNISH_TEXTURE_BATCH]; /* of ambient light */
     float reflectance[3][BURNISH_TEXTURE_BATCH], roughness[BURNISH_TEXTURE_BATCH]; /* if wanted */
     float edge_loss[BURNISH_TEXTURE_BATCH], bent[3][BURNISH_TEXTURE_BATCH];
+    float film[2][BURNISH_TEXTURE_BATCH], facing[BURNISH_TEXTURE_BATCH]; /* texels; N.V */
     float sheen[4][BURNISH_TEXTURE_BATCH]; /* factors of its colour and roughness */
     float opacity[BURNISH_TEXTURE_BATCH];  /* of points of one material */
     float alpha[BURNISH_TEXTURE_BATCH];    /* of the batch: what textures leave of the opacity */

@@ -107,6 +107,8 @@ static unsigned sample_coefficients(const burnish_texture_batch *batch) {
         {BURNISH_TEXTURE_THICKNESS,
          GREEN_BLUE,
          {sample[0], scratch->thickness, sample[2], sample[3]}},
+        {BURNISH_TEXTURE_IRIDESCENCE, RED, {scratch->film[0], sample[1], sample[2], sample[3]}},
+        {BURNISH_TEXTURE_FILM, GREEN_BLUE, {sample[0], scratch->film[1], sample[2], sample[3]}},
         {BURNISH_TEXTURE_METALLIC_ROUGHNESS,
          GREEN_BLUE,
          {sample[0], sample[1], sample[2], sample[3]}}};
@@ -135,6 +137,12 @@ static void shade_varied(const burnish_texturing *texturing, const burnish_textu
     if (has_normals) {
         turn_normals(batch, points);
     }
+    for (int k = 0; k < 3; ++k) {
+        turned.normal[k] = has_normals ? scratch->normal[k] : points->normal[k];
+    }
+    if (batch->material->material.iridescence > 0) {
+        batch->ops->find_facing(&texturing->white, &turned, (size_t)batch->count, scratch->facing);
+    }
     const unsigned wanted = (unsigned)(texturing->wants_reflectance | batch->material->passes)
                             << BURNISH_TEXTURE_REFLECTANCE;
     batch->ops->vary_points(batch->material, sample_coefficients(batch) | wanted,
@@ -143,7 +151,6 @@ static void shade_varied(const burnish_texturing *texturing, const burnish_textu
         each.ambient[k] = scratch->ambient[k];
         each.diffuse[k] = scratch->diffuse[k];
         each.specular[k] = scratch->specular[k];
-        turned.normal[k] = has_normals ? scratch->normal[k] : points->normal[k];
     }
     if (texturing->wants_reflectance && batch->material->is_bent) {
         sample_slot(batch, BURNISH_TEXTURE_ANISOTROPY, ALL);

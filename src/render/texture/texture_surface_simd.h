@@ -3,6 +3,7 @@
 #ifndef BURNISH_RENDER_TEXTURE_TEXTURE_SURFACE_SIMD_H
 #define BURNISH_RENDER_TEXTURE_TEXTURE_SURFACE_SIMD_H
 
+#include "render/texture/film_simd.h"
 #include "render/texture/texture_points_simd.h"
 #include "render/texture/texture_simd.h"
 
@@ -105,6 +106,15 @@ BURNISH_INLINE void texture_vectors(const burnish_kernels_shader *view,
     texture_normalize(viewer);
 }
 
+static void find_facing(const burnish_kernels_shader *view, const burnish_kernels_points *points,
+                        size_t count, float *facing) {
+    for (size_t i = 0; i < count; i += LANES) {
+        vf n[3], v[3];
+        texture_vectors(view, points, i, n, v);
+        vf_store(facing + i, vector_saturate(texture_dot(n, v)));
+    }
+}
+
 /* As KHR_materials_anisotropy's page and three.js do: the part of V at right angles to the direction
  * across is mixed with N, whose share is (1 - strength (1 - roughness))^4. */
 static void bend_normals(const burnish_kernels_shader *view,
@@ -157,6 +167,25 @@ typedef struct texture_coefficients {
     vf roughness; /* METALLIC_ROUGHNESS's; 0 for Phong */
 } texture_coefficients;
 
+/* Mixes reflectances with those of the material's film. */
+BURNISH_INLINE void texture_film(const burnish_material *from, unsigned sampled, size_t i,
+                                 const burnish_texture_scratch *scratch, vf reflectance[3]) {
+    const float *limits = from->film_thickness;
+    vf share = vf_set(from->iridescence), thickness = vf_set(limits[1]), colored[3];
+    if (sampled >> BURNISH_TEXTURE_IRIDESCENCE & 1) {
+        share = vf_mul(share, vf_load(scratch->film[0] + i));
+    }
+    if (sampled >> BURNISH_TEXTURE_FILM & 1) {
+        const vf part = vf_load(scratch->film[1] + i);
+        thickness = vf_add(vf_set(limits[0]), vf_mul(part, vf_set(limits[1] - limits[0])));
+    }
+    film_reflectance(vf_load(scratch->facing + i), vf_set(from->film_index), thickness, reflectance,
+                     colored);
+    for (int k = 0; k < 3; ++k) {
+        reflectance[k] = vf_add(reflectance[k], vf_mul(share, vf_sub(colored[k], reflectance[k])));
+    }
+}
+
 /* Metal's parameters become coefficients: shading.h has the formulas. Of light that passes, the
  * share before Fresnel's stays in scratch, with and without the base colour. */
 BURNISH_INLINE void texture_metal(const burnish_material *from, unsigned sampled, size_t i,
@@ -199,6 +228,9 @@ BURNISH_INLINE void texture_metal(const burnish_material *from, unsigned sampled
             to->diffuse[k] = vf_mul(to->diffuse[k], vf_sub(one, passing));
             to->ambient[k] = vf_mul(base, vf_sub(one, vf_mul(rest, passing)));
         }
+    }
+    if (from->iridescence > 0) {
+        texture_film(from, sampled, i, scratch, to->specular);
     }
 }
 

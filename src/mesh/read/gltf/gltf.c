@@ -93,31 +93,16 @@ static burnish_gltf_bytes open_container(burnish_gltf *gltf) {
 /* ---- What the file asks for ---- */
 
 /* Extensions that are drawn, do not affect drawing, or have warnings of their own. */
-static const char *const drawn_extensions[] = {"KHR_lights_punctual",
-                                               "EXT_mesh_gpu_instancing",
-                                               "EXT_meshopt_compression",
-                                               "EXT_texture_avif",
-                                               "EXT_texture_webp",
-                                               "KHR_draco_mesh_compression",
-                                               "KHR_materials_anisotropy",
-                                               "KHR_materials_clearcoat",
-                                               "KHR_materials_emissive_strength",
-                                               "KHR_materials_ior",
-                                               "KHR_materials_pbrSpecularGlossiness",
-                                               "KHR_materials_sheen",
-                                               "KHR_materials_specular",
-                                               "KHR_materials_transmission",
-                                               "KHR_materials_unlit",
-                                               "KHR_materials_variants",
-                                               "KHR_materials_volume",
-                                               "KHR_mesh_quantization",
-                                               "KHR_meshopt_compression",
-                                               "KHR_node_visibility",
-                                               "KHR_texture_basisu",
-                                               "KHR_texture_transform",
-                                               "KHR_xmp",
-                                               "KHR_xmp_json_ld",
-                                               "MSFT_texture_dds"};
+static const char *const drawn_extensions[] = {
+    "KHR_lights_punctual",      "EXT_mesh_gpu_instancing",   "EXT_meshopt_compression",
+    "EXT_texture_avif",         "EXT_texture_webp",          "KHR_draco_mesh_compression",
+    "KHR_materials_anisotropy", "KHR_materials_clearcoat",   "KHR_materials_emissive_strength",
+    "KHR_materials_ior",        "KHR_materials_iridescence", "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_sheen",      "KHR_materials_specular",    "KHR_materials_transmission",
+    "KHR_materials_unlit",      "KHR_materials_variants",    "KHR_materials_volume",
+    "KHR_mesh_quantization",    "KHR_meshopt_compression",   "KHR_node_visibility",
+    "KHR_texture_basisu",       "KHR_texture_transform",     "KHR_xmp",
+    "KHR_xmp_json_ld",          "MSFT_texture_dds"};
 
 static int is_drawn(const burnish_gltf *gltf, uint32_t name) {
     for (size_t i = 0; i < sizeof drawn_extensions / sizeof *drawn_extensions; ++i) {

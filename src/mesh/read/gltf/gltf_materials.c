@@ -164,6 +164,29 @@ static int read_anisotropy(burnish_gltf *gltf, uint32_t value, burnish_material 
     return 1;
 }
 
+/* KHR_materials_iridescence. Returns whether there is some. */
+static int read_iridescence(burnish_gltf *gltf, uint32_t value, burnish_material *material) {
+    const uint32_t film = burnish_gltf_extension(gltf, value, "KHR_materials_iridescence");
+    const double thickness[2] = {
+        burnish_gltf_number(gltf, film, "iridescenceThicknessMinimum", 100),
+        burnish_gltf_number(gltf, film, "iridescenceThicknessMaximum", 400)};
+    const double share = burnish_gltf_number(gltf, film, "iridescenceFactor", 0);
+    if (material->is_unlit || !(share > 0)) {
+        return 0;
+    }
+    material->iridescence = (float)clamp_number(share, 0, 1);
+    material->film_index =
+        (float)clamp_number(burnish_gltf_number(gltf, film, "iridescenceIor", 1.3), 1, 1e30);
+    for (int i = 0; i < 2; ++i) {
+        material->film_thickness[i] = (float)clamp_number(thickness[i], 0, 1e6);
+    }
+    material->textures[BURNISH_TEXTURE_IRIDESCENCE] =
+        burnish_gltf_read_texture(gltf, film, "iridescenceTexture", BURNISH_GLTF_NUMBERS, NULL);
+    material->textures[BURNISH_TEXTURE_FILM] = burnish_gltf_read_texture(
+        gltf, film, "iridescenceThicknessTexture", BURNISH_GLTF_NUMBERS, NULL);
+    return 1;
+}
+
 /* KHR_materials_sheen. */
 static void read_sheen(burnish_gltf *gltf, uint32_t value, burnish_material *material) {
     const uint32_t sheen = burnish_gltf_extension(gltf, value, "KHR_materials_sheen");
@@ -246,7 +269,9 @@ static void read_textures(burnish_gltf *gltf, uint32_t value, uint32_t glossy,
     const int has_color = textures[BURNISH_TEXTURE_COLOR].texture > 0;
     const float *f0 = material->reflectance;
     const float given = material->metallic + material->roughness + f0[0] + f0[1] + f0[2];
-    material->is_metallic = read_anisotropy(gltf, value, material) || material->transmission > 0 ||
+    const int is_brushed = read_anisotropy(gltf, value, material);
+    material->is_metallic = read_iridescence(gltf, value, material) || is_brushed ||
+                            material->transmission > 0 ||
                             textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS].texture > 0 ||
                             textures[BURNISH_TEXTURE_SPECULAR].texture > 0 ||
                             textures[BURNISH_TEXTURE_SPECULAR_STRENGTH].texture > 0 ||

@@ -125,6 +125,8 @@ void burnish_gltf_texture_sets(const burnish_gltf *gltf, uint32_t material, unsi
                 {"KHR_materials_specular", "specularColorTexture", 2},
                 {"KHR_materials_specular", "specularTexture", 2},
                 {"KHR_materials_anisotropy", "anisotropyTexture", 1},
+                {"KHR_materials_iridescence", "iridescenceTexture", 1},
+                {"KHR_materials_iridescence", "iridescenceThicknessTexture", 1},
                 {"KHR_materials_sheen", "sheenColorTexture", 1},
                 {"KHR_materials_sheen", "sheenRoughnessTexture", 1},
                 {"KHR_materials_clearcoat", "clearcoatTexture", 1},
