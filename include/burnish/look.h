@@ -17,7 +17,7 @@
 extern "C" {
 #endif
 
-/* The looks. docs/gallery.md shows them. */
+/* The looks. docs/README.md shows them. */
 typedef enum burnish_look {
     BURNISH_LOOK_PLAIN, /* the default: key, fill and rim light on white */
     /* A product studio of area lights and a dome (light.h), with ambient occlusion on a light grey

@@ -82,7 +82,7 @@ static const cli_term json_terms[] = {
     {"*bounding_box*", "*min*, *max* and *size* of the triangles with area, or of the positions of "
                        "points or lines, in the units of the input"},
     {"*up, up_source*", "the up axis in pictures; format, or auto if it is not the axis of the "
-                        "format because the object would fall over (docs/up.md)"},
+                        "format because the object would fall over (docs/formats.md)"},
     {"*tipping_angles*",
      "degrees by which the object can lean on +Y and +Z before it falls, negative if it falls; "
      "null for points, lines and formats that state their axis"},

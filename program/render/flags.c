@@ -149,7 +149,7 @@ static const cli_flag flags[] = {
      .not_for = HEIR_ANY, .svg = CLI_SVG_REFUSED, .default_label = "all",
      .manual = "Draws only _COUNT_ rows of the picture, starting with row _FIRST_, counted from 0. "
                "The file holds these rows with the same bits as in the whole picture, so several "
-               "machines can draw one picture (docs/scale.md). Multiples of 64 are fastest. Not "
+               "machines can draw one picture (docs/batch.md). Multiples of 64 are fastest. Not "
                "available for sheets, turntables, *--annotate* and SVG. A blank part is not "
                "reported, and depths in PNG have the range of these rows."},
     {DRAW_SWITCH("cull-back-faces", "skip back-facing triangles", picture.cull_back_faces),
@@ -276,7 +276,7 @@ static const cli_flag flags[] = {
          "or OFF file whose object is stable on +Z, and an STL file whose object falls on +Z and "
          "is very stable on +Y. *burnish info* prints how stable it is. An object that is flat, "
          "with an extent of at most 0.5 % of its longest one, is a drawing: it keeps the axis, and "
-         "the default view shows it face on. See docs/up.md."},
+         "the default view shows it face on. See docs/formats.md."},
     {DRAW_FLAG("camera-direction", "X,Y,Z", "direction of view; frames the object",
                cli_flag_nonzero, camera.direction),
      .default_label = "three-quarter", .common = 1,

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs the commands of docs/scale.md on a private one-machine Slurm: pictures and report are the same as in one run.
+# Runs the commands of docs/batch.md on a private one-machine Slurm: pictures and report are the same as in one run.
 # Usage: slurm.sh PROGRAM FOLDER SOURCES
 for tool in munged slurmctld slurmd sbatch srun; do
     PATH=$PATH:/usr/sbin command -v $tool >/dev/null || { echo "slurm: $tool is missing (Debian: slurm-wlm, munge)"; exit 77; }
@@ -81,7 +81,7 @@ burnish batch parts -r -d thumbs --size=32 --index --quiet --no-seconds 2>/dev/n
 mv thumbs reference
 
 # The commands of the page, with pictures that are smaller and fewer tasks.
-page="$sources/docs/scale.md"
+page="$sources/docs/batch.md"
 cp "$sources/docs/examples/batch-array.sh" .
 sed -n '/^job=\$(sbatch/,/^```/p' "$page" | grep -v '```' |
     sed -e 's/--size=256/--size=32 --no-seconds/' -e 's/ 100 parts/ 9 parts/' -e 's/sbatch --dep/sbatch --wait --dep/' >commands
@@ -98,7 +98,7 @@ rm -rf thumbs slurm-*.out
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 for starter in srun mpirun; do
     has "ranks" "$starter" || continue
-    sed -n "/^\(burnish\|$starter\) .*parts/p" "$page" | grep -v 'shard=3/100' | head -n 2 |
+    sed -n '/^mpirun/,/^```/p' "$page" | grep "^\(burnish\|$starter\) " |
         sed -e 's/-N 16 .*--exclusive/-n 4/; s/--map-by ppr:1:node --bind-to none/-n 4 --oversubscribe/; s/-d thumbs/-d thumbs --size=32 --no-seconds/' >commands
     check "$starter: the page has two commands" [ "$(wc -l <commands)" = 2 ]
     timeout 60 sh -e commands >"$out" 2>&1

@@ -727,13 +727,13 @@ class Pages(unittest.TestCase):
             self.assertGreater(result.attempted, 4)
 
     def test_guide(self):
-        """The code of docs/python.md runs, in its order."""
+        """The code of bindings/python/README.md runs, in its order."""
         Path("part.stl").write_bytes((DATA / "wedge.stl").read_bytes())
         names = {}
-        blocks = re.findall(r"^```python\n(.*?)^```", (SOURCES / "docs/python.md").read_text(), re.S | re.M)
+        blocks = re.findall(r"^```python\n(.*?)^```", (SOURCES / "bindings/python/README.md").read_text(), re.S | re.M)
         for block in blocks:
             if numpy or "numpy" not in block:
-                exec(compile(block, "docs/python.md", "exec"), names)
+                exec(compile(block, "bindings/python/README.md", "exec"), names)
         self.assertGreater(len(blocks), 4)
 
     def test_notebook(self):

@@ -1,8 +1,8 @@
 /* A guess of the up axis from how the object would stand on the ground. Files use +Y or +Z, and the
  * format does not reliably define which. The contact area of an object is everything within 1 % of
  * its height above its lowest point. The object is stable if its centre is above the convex hull of
- * the contact area; the further inside and the lower the centre, the more stable. docs/up.md has
- * measurements. */
+ * the contact area; the further inside and the lower the centre, the more stable. docs/formats.md has
+ * the limits. */
 #include "render/scene/up.h"
 
 #include <float.h>

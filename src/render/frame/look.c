@@ -1,4 +1,4 @@
-/* Looks: sets of options by name. docs/gallery.md shows them. */
+/* Looks: sets of options by name. docs/README.md shows them. */
 #include "render/frame/render_options.h"
 
 #include <string.h>

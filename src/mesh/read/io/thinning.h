@@ -5,8 +5,7 @@
 
 #include "mesh/read/io/chunk.h"
 
-/* What a point, or a triangle with its vertices, takes from reading to drawing, at most
- * (docs/performance.md). */
+/* What a point, or a triangle with its vertices, takes from reading to drawing, at most. */
 enum { BURNISH_ROW_BYTES = 112 };
 
 /* How many points or triangles max_memory has room for; UINT64_MAX: no limit. */
