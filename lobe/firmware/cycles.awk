@@ -1,14 +1,11 @@
 # Cycles by a model, from a program's listing and a trace of its executed instructions.
-# Usage: awk -v model=m0|m4|rv32 -f cycles.awk LISTING FS=/ TRACE, with LISTING from objdump -d and TRACE from
+# Usage: awk -v model=m0|rv32 -f cycles.awk LISTING FS=/ TRACE, with LISTING from objdump -d and TRACE from
 # qemu -singlestep -d exec,nochain. Prints "mark CYCLE" for every call of target_mark, and at the end
 # "end CYCLE".
 #
 # m0    Cortex-M0, technical reference manual table 3-1, single-cycle multiplier, no wait states:
 #       1; loads and stores 2; ldm, stm, push 1 + N; pop 1 + N, with pc 4 + N; branch taken 3, not
 #       taken 1; bl 4; bx, blx 3; writes to pc 3.
-# m4    Cortex-M4, technical reference manual table 3-1, no wait states, a pipeline refill of 2:
-#       1, products and DSP instructions included; loads and stores 2, two words 3; ldm, stm, push, pop
-#       1 + N; branch taken 3, not taken 1; bl, bx, blx, writes to pc 2 more; division 12.
 # rv32  a small in-order core (Ibex without branch target ALU, single-cycle multiplier), from its manual:
 #       1; loads and stores 2; mul 1, mulh* 2; div, rem 37; branch taken 3, not taken 1; jumps 2.
 
@@ -36,18 +33,6 @@ function learn_m0(at, op, rest) {
     else if (op ~ /^b(eq|ne|cs|cc|hs|lo|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)$/) { jump[at] = 2 }
 }
 
-function learn_m4(at, op, rest) {
-    sub(/\.[nw]$/, "", op)
-    cost[at] = 1
-    jump[at] = 0
-    if (op ~ /^(ldm|stm|push|pop)/) { cost[at] = 1 + registers(rest) + (op !~ /^(stm|push)/ && rest ~ /pc/ ? 2 : 0) }
-    else if (op ~ /^(ldrd|strd)/) { cost[at] = 3 }
-    else if (op ~ /^(ldr|str)/) { cost[at] = 2 }
-    else if (op ~ /^[us]div/) { cost[at] = 12 }
-    else if (op ~ /^(b|bl|bx|blx)$/ || rest ~ /^pc,/) { cost[at] = 3 }
-    else if (op ~ /^cbn?z$/ || op ~ /^b(eq|ne|cs|cc|hs|lo|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)$/) { jump[at] = 2 }
-}
-
 function learn_rv32(at, op) {
     cost[at] = 1
     jump[at] = 0
@@ -72,7 +57,6 @@ FNR == NR {
     op = field[3]
     rest = field[4]
     if (model == "m0") { learn_m0(at, op, rest) }
-    else if (model == "m4") { learn_m4(at, op, rest) }
     else { learn_rv32(at, op) }
     next
 }

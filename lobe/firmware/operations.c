@@ -1,4 +1,4 @@
-/* One lit value of each lobe of the table of operations in lobe/docs/theory.md, each in a function of
+/* One lit value of each lobe of operations.csv, each in a function of
  * its own, for lobe/firmware/operations, which counts the instructions that run. */
 #include "burnish/lobe_q15.h"
 

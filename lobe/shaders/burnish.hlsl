@@ -168,7 +168,7 @@ float burnishComposite6(float cosine, float top, float slope, float offset1, flo
 // ---- lighting/common/burnishExpFalloff ----
 
 // About e^-x in 3, 4 or 5 multiplications, within 0.0294, 0.00518 and 0.000136: 1 for x <= 0, never increasing, and
-// exactly 0 from x = 4.15566015, 5.97967911 and 9.25124741 on. docs/falloff.md explains.
+// exactly 0 from x = 4.15566015, 5.97967911 and 9.25124741 on. docs/shaders.md has uses.
 float burnishExpFalloff3(float x) {
     return burnishCompositeOfLambda3(x, 0.942223668, 0.226732612, 0.238612935);
 }

@@ -15,4 +15,4 @@ awk -F, '
     END { exit bad || rows != 12 }' "$scratch/again.csv"
 [ "$(head -n 1 "$list")" = "$(head -n 1 "$scratch/again.csv")" ] ||
     { echo "operations: other compilers than those of $list"; exit 0; }
-diff -u "$list" "$scratch/again.csv" || { echo "operations: $list and lobe/docs/theory.md are out of date"; exit 1; }
+diff -u "$list" "$scratch/again.csv" || { echo "operations: $list is out of date"; exit 1; }

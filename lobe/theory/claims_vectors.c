@@ -164,8 +164,8 @@ const burnish_claim_source burnish_claims_vectors[] = {
      "docs/performance.md has both forms, latency and throughput: section The paper's factors",
      "make bench", BURNISH_THEORY_NONE, 1.69, 0.01, NULL, BURNISH_THEORY_BENCHMARK, NULL},
     {"operations-w", "W takes 2 multiplications, a shift, an increment and a decrement", "",
-     "instructions of three processors and cells of the circuit: the table of operations in "
-     "docs/theory.md; the paper's conclusion counts multiplication, subtraction and decrement only",
+     "instructions of three processors and cells of the circuit: firmware/operations.csv; the "
+     "paper's conclusion counts multiplication, subtraction and decrement only",
      "make operations", BURNISH_THEORY_NONE, 2, 1, NULL, BURNISH_THEORY_COUNTED, NULL},
     {"operations-w05",
      "W_0.5 takes 2 multiplications, a decrement, an increment, a subtraction and 7 shift places",

@@ -1,5 +1,4 @@
-/* Cortex-M0 of the nRF51822 (the first micro:bit) and Cortex-M4 of Arm's MPS2 board with image
- * AN386: start, serial line, exit through semihosting. */
+/* Cortex-M0 of the nRF51822 (the first micro:bit): start, serial line, exit through semihosting. */
 #include "target.h"
 
 #define REGISTER(address) (*(volatile uint32_t *)(address))
@@ -8,7 +7,6 @@ extern uint32_t data_begin[], data_end[], data_image[], bss_begin[], bss_end[], 
 int main(void);
 void start(void);
 
-#if __ARM_ARCH == 6
 #define UART_STARTTX REGISTER(0x40002008u)
 #define UART_TXDRDY REGISTER(0x4000211Cu)
 #define UART_ENABLE REGISTER(0x40002500u)
@@ -22,20 +20,6 @@ void target_put(uint8_t byte) {
     while (UART_TXDRDY == 0) {
     }
 }
-#else
-#define UART_DATA REGISTER(0x40004000u)
-#define UART_STATE REGISTER(0x40004004u)
-#define UART_CONTROL REGISTER(0x40004008u)
-#define UART_DIVIDER REGISTER(0x40004010u)
-
-void target_put(uint8_t byte) {
-    UART_DIVIDER = 16;
-    UART_CONTROL = 1;
-    while (UART_STATE & 1) { /* full */
-    }
-    UART_DATA = byte;
-}
-#endif
 
 __attribute__((noinline)) void target_mark(void) {
     __asm__ volatile("" ::: "memory");

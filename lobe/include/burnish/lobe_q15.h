@@ -52,7 +52,7 @@
  * What it promises. Every result is defined bit by bit for every input; a result never decreases as
  * the cosine grows. The table has bounds of the error against the exact real lobe, in units of the
  * result's last place, for all cosines, all lambdas and n = 1 .. 1023. Saturation at 1 is not
- * counted. `make prove-q15` proves the bounds; docs/firmware.md has more digits.
+ * counted. `make prove-q15` proves the bounds.
  *
  *                        fast            near              exact        fast8         exact8
  *     order              2  4  8  16    2   4   8    16    all          2 .. 8  16    all

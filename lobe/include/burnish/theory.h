@@ -668,7 +668,7 @@ typedef enum burnish_theory_verdict {
     BURNISH_THEORY_HOLDS_IN_PART, /* for some of the values; the note says for which */
     BURNISH_THEORY_DOES_NOT_HOLD, /* for none of the values */
     BURNISH_THEORY_BENCHMARK,     /* a timing; run the benchmark */
-    BURNISH_THEORY_COUNTED,       /* a count of operations; docs/theory.md has the table */
+    BURNISH_THEORY_COUNTED,       /* a count of operations, in firmware/operations.csv */
     BURNISH_THEORY_VERDICT_COUNT
 } burnish_theory_verdict;
 

@@ -168,6 +168,9 @@ rm -f kept.csv again.csv script.gp
 
 if [ "$has_gnuplot" = 1 ]; then
     mkdir one
+    for name in energy orders cost radius widths w1-extreme multiplications polygon rough; do
+        gives 0 plot "$name" -o "one/$name.svg"
+    done
     for file in "$root"/docs/figures/*.svg; do
         name=$(basename "$file")
         gives 0 plot "${name%.*}" -o "one/$name"

@@ -84,15 +84,6 @@ for module in 450 plain exact; do
     says "and back" glslangValidator round.frag
 done
 
-# The page's splats.
-snippet() {
-    sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$lobe/docs/falloff.md" | grep -v '^```'
-}
-{ echo '#version 330'; cat "$shaders/burnish.glsl"; snippet glsl; } >splat.frag
-says "splat in GLSL" glslangValidator -G --aml -o splat.spv splat.frag
-{ cat "$shaders/burnish.wgsl"; snippet wgsl; } >splat.wgsl # Dawn compiles it below
-says "splat in WGSL" grep -q '^fn splatFragment' splat.wgsl
-
 # Inlined, an add of a product is marked, or a compiler may fuse it.
 for module in 450 exact; do
     spirv-opt -O "$module.spv" -o inlined.spv

@@ -213,7 +213,7 @@ static void check_bad_input(void) {
 
 /* ---- The limit n -> infinity ---- */
 
-/* zeta/n and b of the least error against e^-x, from scripts/composites.c, as in docs/theory.md. */
+/* zeta/n and b of the least error against e^-x, by Newton's method, as in docs/theory.md. */
 static const struct limit {
     int steps, extremes;
     double zeta, b[4], error;
@@ -273,7 +273,7 @@ static void check_limits(void) {
     }
 }
 
-/* The formulas of lobe.h against the least errors that scripts/composites.c finds. */
+/* The formulas of lobe.h against the least errors that a search finds. */
 static void check_formulas(void) {
     static const struct {
         int n, multiplications;

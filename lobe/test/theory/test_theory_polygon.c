@@ -338,7 +338,7 @@ static void check_identities(void) {
 
 /* ---- The evaluations ---- */
 
-/* Largest errors, of the whole lobe, of the evaluations that lobe/docs/theory.md compares. */
+/* Largest errors, of the whole lobe, of the evaluations. */
 static void check_rules(void) {
     static const struct {
         burnish_theory_polygon_rule rule;

@@ -116,7 +116,7 @@ static void add_clipped(contour *sums, const double normal[3], const double (*ve
     }
 }
 
-/* Chooses by the errors that docs/theory.md shows. */
+/* The closed form cancels for larger slopes (docs/theory.md). */
 static burnish_theory_polygon_rule best_rule(const burnish_theory_powers *lobe) {
     burnish_theory_polygon_rule rule = {BURNISH_THEORY_POLYGON_CLOSED, 0};
     if (lobe->zeta > 1) {

@@ -1,17 +1,13 @@
 // Both renderers of three.js in Debian's Chromium, compared with the package's own lobes.
-// Usage: node run.mjs SERVER, where burnish, three and playwright-core are installed, and page.html
-import { spawn } from "node:child_process";
+// Usage: node run.mjs, in a folder with page.html where burnish, three and playwright-core are installed
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
 
-const PORT = 8129;
-const served = spawn(process.execPath, [process.argv[2], ".", String(PORT)], { stdio: ["ignore", "pipe", "inherit"] });
-await new Promise((resolve, reject) => {
-  served.stdout.once("data", resolve);
-  served.once("exit", () => reject(new Error(`the server of port ${PORT} ended`)));
-});
+// The files of this folder answer for an address of this machine, isolated from other origins, for threads.
+const HOME = "http://127.0.0.1:8129";
+const headers = { "cross-origin-opener-policy": "same-origin", "cross-origin-embedder-policy": "require-corp" };
 const folder = mkdtempSync(join(tmpdir(), "burnish-"));
 const browser = await chromium.launchPersistentContext(folder, {
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
@@ -26,9 +22,10 @@ const fail = (line) => {
 };
 try {
   const page = await browser.newPage();
+  await browser.route(`${HOME}/**`, (route) => route.fulfill({ path: `.${new URL(route.request().url()).pathname}`, headers }));
   page.on("pageerror", (error) => fail(error.message));
   page.on("console", (message) => message.type() === "error" && fail(message.text()));
-  await page.goto(`http://127.0.0.1:${PORT}/page.html`);
+  await page.goto(`${HOME}/page.html`);
   await page.waitForFunction("window.results");
   const results = await page.evaluate("window.results");
   for (const [name, value] of Object.entries(results)) {
@@ -53,7 +50,6 @@ try {
   }
 } finally {
   await browser.close();
-  served.kill();
   rmSync(folder, { recursive: true, force: true });
 }
 console.log(`browser: ${failures} failed`);
