@@ -96,7 +96,6 @@ static const struct layer {
     {"importers/draco", "base importers"},
     {"importers/occt", "base importers"},
     {"bench", "burnish"},
-    {"bench/falloff", "burnish/lobe.h lobe/test/shaders"},
     {"bench/kernels", "burnish"},
     {"bench/load", "burnish"},
     {"bench/peers", "base core simd shading burnish"},
