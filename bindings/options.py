@@ -9,13 +9,13 @@ import re
 import sys
 
 PYTHON = {
-    "switch": "bool", "integer": "int", "number": "float", "bytes": "Union[int, str]", "size": "Union[str, Iterable[int]]",
-    "square": "Union[int, str, Iterable[int]]", "vector": "Vector", "color": "Color", "number or color": "Union[float, Color]",
+    "switch": "bool", "integer": "int", "number": "float", "bytes": "Union[int, str]",
+    "size": "Union[int, str, Iterable[int]]", "vector": "Vector", "color": "Color", "number or color": "Union[float, Color]",
     "text": "str", "name": "Union[str, int]",
 }  # fmt: skip
 TYPESCRIPT = {
     "switch": "boolean", "integer": "number", "number": "number", "bytes": "number | string", "vector": "Vector", "color": "Color",
-    "size": "readonly [number, number] | string", "square": "number | readonly [number, number] | string",
+    "size": "number | readonly [number, number] | string",
     "number or color": "number | Color", "text": "string", "name": "string | number",
 }  # fmt: skip
 

@@ -320,6 +320,7 @@ burnish_status cli_defaults(const cli_command *command, void *settings, burnish_
 typedef struct cursor {
     int argc, next;
     char **argv;
+    const char *cluster; /* the last letter of a group that is not at its end: "-qs 64"; or NULL */
 } cursor;
 
 static burnish_status fail_needless_value(const cli_flag *flag, burnish_error *error) {
@@ -377,12 +378,14 @@ static burnish_status parse_long(const cli_command *command, const char *argumen
 static burnish_status parse_short(const cli_command *command, const char *argument, cursor *at,
                                   const cli_flag **found, const char **text, burnish_error *error) {
     const cli_flag *flag = find_letter(command, argument[1]);
-    if (!flag || (!flag->value && argument[2])) {
-        return fail_unknown(command, argument, error);
+    if (!flag) {
+        const char letter[] = {'-', argument[1], 0};
+        return fail_unknown(command, argument[0] == '-' ? argument : letter, error);
     }
     *found = flag;
     *text = NULL;
     if (!flag->value) {
+        at->cluster = argument[2] ? argument + 1 : NULL;
         return BURNISH_STATUS_OK;
     }
     if (argument[2] == '=') {
@@ -435,19 +438,21 @@ static int asks_for_help(const char *argument, cli_call *call) {
 
 burnish_status cli_parse(const cli_command *command, int argc, char **argv, void *settings,
                          cli_call *call, burnish_error *error) {
-    cursor at = {argc, 0, argv};
+    cursor at = {argc, 0, argv, NULL};
     int flags_ended = 0;
     *call = (cli_call){.arguments = call->arguments};
-    while (at.next < argc) {
-        const char *argument = argv[at.next++];
+    while (at.cluster || at.next < argc) {
+        const char *argument = at.cluster ? at.cluster : argv[at.next++];
+        const int is_letter = at.cluster != NULL;
         const cli_flag *flag = NULL;
         const char *text = NULL;
         burnish_status status;
-        if (flags_ended || argument[0] != '-' || !argument[1]) {
+        at.cluster = NULL;
+        if (!is_letter && (flags_ended || argument[0] != '-' || !argument[1])) {
             status = take_operand(command, argument, call, error);
         } else if (asks_for_help(argument, call)) {
             return BURNISH_STATUS_OK;
-        } else if (argument[1] != '-') {
+        } else if (is_letter || argument[1] != '-') {
             status = parse_short(command, argument, &at, &flag, &text, error);
         } else if (argument[2]) {
             status = parse_long(command, argument, &at, &flag, &text, error);

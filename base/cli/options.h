@@ -41,8 +41,7 @@ typedef enum cli_phase {
     X(CLI_TYPE_INTEGER, "integer")                                                                 \
     X(CLI_TYPE_NUMBER, "number")                                                                   \
     X(CLI_TYPE_BYTES, "bytes")   /* an integer, which can end in K, M or G */                      \
-    X(CLI_TYPE_SIZE, "size")     /* two integers */                                                \
-    X(CLI_TYPE_SQUARE, "square") /* an integer, or two */                                          \
+    X(CLI_TYPE_SIZE, "size")     /* an integer, or two */                                          \
     X(CLI_TYPE_VECTOR, "vector") /* several numbers */                                             \
     X(CLI_TYPE_COLOR, "color")                                                                     \
     X(CLI_TYPE_LIGHT, "number or color")                                                           \

@@ -54,7 +54,7 @@ static const cli_term json_terms[] = {
     {"*name, letter, also*", "of a flag, without dashes; *also* is an array of other names"},
     {"*type*",
      "*switch*, *integer*, *number*, *bytes* (an integer that can end in K, M or G), *size* "
-     "(two integers), *square* (one or two), *vector* (numbers between commas), *color*, "
+     "(one or two integers), *vector* (numbers between commas), *color*, "
      "*number or color*, *word*, *words* (between commas), *text*, or *name* (a text or "
      "a number)"},
     {"*value, help*", "the placeholder of the value and the row of the help screen"},
@@ -177,7 +177,8 @@ int cli_run_program(const cli_program *program, int argc, char **argv) {
         char *name = argv[1] + 7;
         return cli_run(&cli_help_command, NULL, 1, &name);
     }
-    if (strcmp(first, "--version") == 0 || strcmp(first, "-V") == 0) {
+    if (strcmp(first, "--version") == 0 || strcmp(first, "-V") == 0 ||
+        (argc == 2 && strcmp(first, "version") == 0)) {
         printf("%s %s\n", program->name, burnish_version());
         return cli_exit_code(cli_finish_output(&error), &error);
     }

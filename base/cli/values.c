@@ -158,37 +158,21 @@ burnish_status cli_flag_count(const cli_flag *flag, const char *text, void *targ
 
 burnish_status cli_flag_size(const cli_flag *flag, const char *text, void *target,
                              burnish_error *error) {
-    int *size = target;
+    const size_t length = strcspn(text, ",xX");
+    const char *height = text[length] ? text + length + 1 : text;
     int values[2];
-    const char *rest = text + strcspn(text, ",x");
-    size_t length = (size_t)(rest - text);
     char width[16];
     burnish_error ignored;
-    if (*rest && length < sizeof width) {
-        memcpy(width, text, length);
-        width[length] = 0;
-        if (cli_flag_integer(flag, width, &values[0], &ignored) == BURNISH_STATUS_OK &&
-            cli_flag_integer(flag, rest + 1, &values[1], &ignored) == BURNISH_STATUS_OK) {
-            memcpy(size, values, sizeof values);
-            return BURNISH_STATUS_OK;
-        }
+    snprintf(width, sizeof width, "%.*s", (int)(length < 15 ? length : 15), text);
+    if (cli_flag_integer(flag, width, &values[0], &ignored) != BURNISH_STATUS_OK ||
+        cli_flag_integer(flag, height, &values[1], &ignored) != BURNISH_STATUS_OK) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%.60s\" is not a width and a height from %g to %g, such as "
+                        "1024x768, or one number for both",
+                        flag->name, text, flag->low, flag->high);
     }
-    return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                    "--%s: \"%.60s\" is not a width and a height from %g to %g, such as 1024,768",
-                    flag->name, text, flag->low, flag->high);
-}
-
-burnish_status cli_flag_square(const cli_flag *flag, const char *text, void *target,
-                               burnish_error *error) {
-    int *size = target;
-    if (strpbrk(text, ",x")) {
-        return cli_flag_size(flag, text, target, error);
-    }
-    burnish_status status = cli_flag_integer(flag, text, &size[0], error);
-    if (status == BURNISH_STATUS_OK) {
-        size[1] = size[0];
-    }
-    return status;
+    memcpy(target, values, sizeof values);
+    return BURNISH_STATUS_OK;
 }
 
 burnish_status cli_flag_bytes(const cli_flag *flag, const char *text, void *target,
@@ -257,6 +241,13 @@ burnish_status cli_flag_vector(const cli_flag *flag, const char *text, void *tar
 burnish_status cli_flag_nonzero(const cli_flag *flag, const char *text, void *target,
                                 burnish_error *error) {
     const cli_vector *vector = target;
+    static const char axes[] = "XxYyZz";
+    const char *axis = text + (*text == '-' || *text == '+');
+    if (*axis && !axis[1] && strchr(axes, *axis)) { /* +Z, -x */
+        *(cli_vector *)target = (cli_vector){1, {0, 0, 0}};
+        ((cli_vector *)target)->values[(strchr(axes, *axis) - axes) / 2] = *text == '-' ? -1 : 1;
+        return BURNISH_STATUS_OK;
+    }
     burnish_status status = cli_flag_vector(flag, text, target, error);
     if (status == BURNISH_STATUS_OK && vector->values[0] == 0 && vector->values[1] == 0 &&
         vector->values[2] == 0) {
@@ -297,9 +288,8 @@ cli_type cli_type_of(const cli_flag *flag) {
     } types[] = {
         {cli_flag_integer, CLI_TYPE_INTEGER}, {cli_flag_count, CLI_TYPE_INTEGER},
         {cli_flag_bytes, CLI_TYPE_BYTES},     {cli_flag_size, CLI_TYPE_SIZE},
-        {cli_flag_square, CLI_TYPE_SQUARE},   {cli_flag_real, CLI_TYPE_NUMBER},
-        {cli_flag_angle, CLI_TYPE_NUMBER},    {cli_flag_vector, CLI_TYPE_VECTOR},
-        {cli_flag_nonzero, CLI_TYPE_VECTOR},
+        {cli_flag_real, CLI_TYPE_NUMBER},     {cli_flag_angle, CLI_TYPE_NUMBER},
+        {cli_flag_vector, CLI_TYPE_VECTOR},   {cli_flag_nonzero, CLI_TYPE_VECTOR},
     };
     if (flag->value_type != CLI_TYPE_AUTO || !flag->value) {
         return flag->value ? flag->value_type : CLI_TYPE_SWITCH;

@@ -25,12 +25,11 @@ cli_handler cli_flag_file;    /* const char *; "-" where an optional value is no
 cli_handler cli_flag_integer; /* int in [low, high] */
 cli_handler cli_flag_count;   /* uint64_t in [low, high] */
 cli_handler cli_flag_bytes;   /* uint64_t in [low, high], with K, M or G */
-cli_handler cli_flag_size;    /* int[2] in [low, high]: W,H or WxH */
-cli_handler cli_flag_square;  /* int[2]: the same number twice */
+cli_handler cli_flag_size;    /* int[2] in [low, high]: W,H, WxH, or N for both */
 cli_handler cli_flag_real;    /* cli_real in [low, high] */
 cli_handler cli_flag_angle;   /* the same, low and high excluded */
 cli_handler cli_flag_vector;  /* cli_vector */
-cli_handler cli_flag_nonzero; /* the same, not 0,0,0 */
+cli_handler cli_flag_nonzero; /* the same, not 0,0,0; or an axis: +Z, -x */
 cli_handler cli_flag_word;    /* int: value of one of flag->words */
 
 /* The type of a flag's value, never CLI_TYPE_AUTO; and its word. */

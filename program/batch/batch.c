@@ -78,7 +78,8 @@ static const cli_flag flags[] = {
     {CLI_FLAG("sheet", "FILE", "write a contact sheet", cli_flag_text, sheet), .common = 1,
      .file = CLI_WRITES, .aliases = "contact-sheet,montage",
      .manual =
-         "Writes a contact sheet of all pictures, scaled down to at most 16384 pixels per side."},
+         "Writes a contact sheet of all pictures, scaled down to at most 16384 pixels per side. "
+         "*--columns* sets its columns, unless the pictures are sheets of views or lobes."},
     {CLI_FLAG("report", "FILE", "report in JSON lines, in the output folder", cli_flag_text,
               report),
      .default_label = "burnish-batch.jsonl", .common = 1, .file = CLI_REPORTS,
@@ -122,18 +123,16 @@ static const cli_flag flags[] = {
          "Leaves *seconds* out of the report, which is then identical on every run and machine."},
     {.group = "Picture",
      .topic = "picture",
-     CLI_FLAG("resolution", "W,H", "width and height in pixels", cli_flag_size,
+     CLI_FLAG("size", "WxH", "width and height in pixels; N: a square", cli_flag_size,
               render.picture.size),
      .phases = CLI_PHASE_DRAW,
      CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE),
-     .default_text = "512,512",
+     .letter = 's',
+     .default_text = "512x512",
      .common = 1,
+     .also = "resolution",
      .aliases = "res",
      .manual = "Width and height of each picture."},
-    {CLI_FLAG("size", "WxH", "width and height in pixels; N: a square", cli_flag_square,
-              render.picture.size),
-     .phases = CLI_PHASE_DRAW, CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .letter = 's',
-     .default_label = "512x512", .common = 1, .manual = "The same as *--resolution=*_N_*,*_N_."},
 };
 
 static const cli_example examples[] = {
@@ -315,6 +314,7 @@ static render_settings first_picture(const batch_settings *given) {
     render_settings settings = given->render;
     settings.input.name = ":sphere";
     settings.output.path = given->output;
+    settings.picture.is_on_sheet = given->sheet != NULL;
     if (strstr(given->output, "{view}") && settings.picture.views.count > 1) {
         settings.picture.views.count = 1;
     }

@@ -47,9 +47,8 @@ static parts split_path(const batch_item *item) {
     const char *input = item->input;
     const size_t tree = *input == ':' ? 1 : item->level >= LEVEL_FOLDERS ? 0 : item->tree;
     parts p = {.folder = input + tree, .model = *input == ':' ? input + 1 : cli_base_name(input)};
-    const char *dot = strrchr(p.model, '.');
     p.folder_size = p.model > p.folder ? (size_t)(p.model - p.folder) : 0;
-    p.model_size = dot && dot > p.model ? (size_t)(dot - p.model) : strlen(p.model);
+    p.model_size = cli_stem_length(p.model);
     p.extension = p.model[p.model_size] ? p.model + p.model_size + 1 : "";
     return p;
 }

@@ -253,7 +253,11 @@ static burnish_status lay_out(sheet *s, burnish_error *error) {
             cells[i] =
                 (burnish_sheet_cell){.image = &cell, .label = side >= LABEL_MIN ? "x" : NULL};
         }
-        s->columns = (int)ceil(sqrt((double)s->count * s->height / s->width));
+        const render_settings *picture = &s->b->settings->render;
+        const int is_plain = picture->picture.views.count < 2 && picture->shading.lobes.count < 2;
+        s->columns = is_plain && picture->picture.columns > 0
+                         ? picture->picture.columns
+                         : (int)ceil(sqrt((double)s->count * s->height / s->width));
         s->columns = s->columns > (int)s->count ? (int)s->count : s->columns < 1 ? 1 : s->columns;
         const burnish_status status =
             cells ? burnish_image_sheet_size(cells, s->count, s->columns, &width, &height, error)

@@ -67,6 +67,17 @@ int cli_is_mesh_name(const char *name) {
     return cli_is_own_mesh_name(name);
 }
 
+size_t cli_stem_length(const char *base) {
+    const size_t whole = strlen(base);
+    size_t end = whole - (ends_in(base, whole, ".gz", 3) && cli_is_own_mesh_name(base) ? 3 : 0);
+    for (size_t i = end; i-- > 1;) {
+        if (base[i] == '.') {
+            return i;
+        }
+    }
+    return end;
+}
+
 burnish_status cli_refuse_foreign(int format, burnish_error *error) {
     const char *extension = cli_foreign_extension(format);
     return extension ? cli_fail(error, BURNISH_STATUS_ARGUMENT,

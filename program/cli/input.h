@@ -30,6 +30,9 @@ const char *cli_foreign_extension(int format);
 int cli_is_own_mesh_name(const char *name);
 int cli_is_mesh_name(const char *name);
 
+/* The length of a file's name without its extension, and without .gz after the one of a mesh. */
+size_t cli_stem_length(const char *base);
+
 /* ARGUMENT for an importer's format, in programs that run no importers; else OK. */
 burnish_status cli_refuse_foreign(int format, burnish_error *error);
 
@@ -81,10 +84,10 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
 
 /* The rows; `type` has the cli_input `member`. */
 #define CLI_INPUT_FORMAT_FLAG(type, member)                                                        \
-    .phases = CLI_PHASE_LOAD, .name = "input-format", .aliases = "format", .value = "NAME",        \
-    .help = "fbx ... or", .default_text = "auto", .manual = cli_input_format_manual,               \
-    .handler = cli_flag_input_format, .words = cli_input_formats,                                  \
-    .offset = offsetof(type, member.format)
+    .phases = CLI_PHASE_LOAD, .name = "input-format", .aliases = "force-reader,import-format",     \
+    .value = "NAME", .help = "fbx ... or", .default_text = "auto",                                 \
+    .manual = cli_input_format_manual, .handler = cli_flag_input_format,                           \
+    .words = cli_input_formats, .offset = offsetof(type, member.format)
 
 #define CLI_TESSELLATION_FLAG(type, member)                                                        \
     .phases = CLI_PHASE_LOAD, .name = "tessellation",                                              \

@@ -157,7 +157,21 @@ static const cli_program burnish = {
     .see_also = ".BR burnish\\-lobe (1),\n.BR man (1),\n.BR xxhsum (1)",
 };
 
+/* The number of the first word for render; 0: the line is for another command, or for none. */
+static int find_render_words(int argc, char **argv) {
+    for (size_t i = 0; argc > 1 && commands[i]; ++i) {
+        if (strcmp(argv[1], commands[i]->name) == 0) {
+            return commands[i] == &render_command ? 2 : 0;
+        }
+    }
+    return argc > 1 && implies_render(argv[1]);
+}
+
 int main(int argc, char **argv) {
     cli_is_input_name = cli_is_mesh_name;
-    return cli_run_program(&burnish, argc, argv);
+    const int is_f3d = argc > 0 && f3d_is_name(argv[0]);
+    const int first = is_f3d ? 1 : find_render_words(argc, argv);
+    char **words = first > 0 ? f3d_translate(&argc, argv, first) : argv;
+    const int code = words ? cli_run_program(&burnish, argc, words) : argc;
+    return is_f3d && code != 0 ? EXIT_FAILURE : code;
 }

@@ -57,12 +57,10 @@ static const cli_flag flags[] = {
                "_B_ is darker, orange where it is lighter. A frame surrounds all pixels that "
                "differ. Small pictures are enlarged. The file extension chooses the format, as in "
                "*burnish render*. With *-* for standard output, no text is printed."},
-    {CLI_FLAG("resolution", "W,H", "size of drawn meshes", cli_flag_size, size),
+    {CLI_FLAG("size", "WxH", "size of drawn meshes; N: a square", cli_flag_size, size),
      CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .default_label = "the picture's, else 1024,768",
-     .common = 1, .aliases = "width,height,res",
+     .letter = 's', .common = 1, .also = "resolution", .aliases = "width,height,res",
      .manual = "Width and height of drawn meshes. If _A_ or _B_ is a picture, they are its size."},
-    {CLI_FLAG("size", "N", "square: --resolution=N,N", cli_flag_square, size),
-     CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .manual = "The same as *--resolution=*_N_*,*_N_."},
 };
 
 static const cli_example examples[] = {
@@ -187,8 +185,9 @@ static burnish_status check_output(compare_settings *settings, burnish_error *er
                         "--output: standard output is a terminal; redirect it, or name a file with "
                         "--output=FILE");
     }
+    const int use = PICTURE_8_BIT | (settings->render.output.overwrite ? PICTURE_REPLACES : 0);
     const burnish_status status =
-        picture_choose("output", settings->output, PICTURE_8_BIT, PICTURE_AUTO, &format, error);
+        picture_choose("output", settings->output, use, PICTURE_AUTO, &format, error);
     settings->format = format;
     return status;
 }

@@ -141,8 +141,9 @@ static void print_text(FILE *stream, const comparison *c) {
 burnish_status compare_write_report(const comparison *c, burnish_error *error) {
     const char *json = c->settings->json;
     cli_output output;
-    if (!json && c->settings->output && strcmp(c->settings->output, "-") == 0) {
-        return BURNISH_STATUS_OK; /* which has the picture */
+    if (!json && (c->settings->render.job.quiet ||
+                  (c->settings->output && strcmp(c->settings->output, "-") == 0))) {
+        return BURNISH_STATUS_OK; /* - has the picture */
     }
     burnish_status status = cli_output_begin(&output, error);
     if (status != BURNISH_STATUS_OK) {

@@ -13,7 +13,7 @@ typedef struct info_settings {
     cli_input load;
     const char *json, *csv; /* files; NULL: text on standard output */
     const char *files_from;
-    int recursive, threads, quiet;
+    int recursive, threads, quiet, scene_box;
     cli_given given;
 } info_settings;
 
@@ -46,8 +46,10 @@ static const cli_flag flags[] = {
     {CLI_NO_LIBRARIES_FLAG(info_settings, load)},
     {CLI_MAX_TRIANGLES_FLAG(info_settings, load)},
     {CLI_MAX_INPUT_BYTES_FLAG(info_settings, load)},
-    {CLI_SWITCH("quiet", "no warnings", quiet),
+    {CLI_SWITCH("quiet", "no warnings", quiet), .letter = 'q',
      .manual = "No warnings on standard error. Errors and the warnings in JSON remain."},
+    {CLI_SWITCH("scene-box", "the bounding box as f3d prints it", scene_box),
+     .manual = "Prints the line of *f3d --no-render --verbose* with the bounding box instead."},
     {CLI_FLAG("threads", "N", "number of threads (does not affect the result)", cli_flag_integer,
               threads),
      CLI_RANGE(0, 1024), .default_text = "0", .default_label = "all cores", .aliases = "jobs",
@@ -205,7 +207,13 @@ static burnish_status print_facts(survey *s, const char *input, const burnish_me
         return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the parts");
     }
     burnish_mesh_bound_parts(mesh, r.boxes);
-    if (s->settings->json || s->settings->csv) {
+    if (s->settings->scene_box) {
+        fprintf(s->output.stream,
+                "Scene bounding box: %g \u2264 x \u2264 %g, %g \u2264 y \u2264 %g, %g \u2264 z "
+                "\u2264 %g\n",
+                (double)r.low[0], (double)r.high[0], (double)r.low[1], (double)r.high[1],
+                (double)r.low[2], (double)r.high[2]);
+    } else if (s->settings->json || s->settings->csv) {
         cJSON *root = info_make_json(&r, &failed);
         status = print_object(s, root, failed, error);
     } else {

@@ -28,7 +28,8 @@ typedef enum picture_use {
     PICTURE_PLANE = 2, /* numbers per pixel */
     PICTURE_LINES = 4,
     PICTURE_ANIMATION = 8,
-    PICTURE_8_BIT = 16 /* what picture_encode writes */
+    PICTURE_8_BIT = 16,   /* what picture_encode writes */
+    PICTURE_REPLACES = 32 /* with PICTURE_8_BIT: any file (--overwrite) */
 } picture_use;
 
 /* 1: lines and areas, written from a burnish_drawing. */

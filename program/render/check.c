@@ -63,8 +63,7 @@ static burnish_status name_output(render_settings *settings, burnish_error *erro
         return BURNISH_STATUS_OK;
     }
     const char *base = is_standard(input) ? "" : input[0] == ':' ? input + 1 : cli_base_name(input);
-    const char *dot = strrchr(base, '.');
-    size_t length = dot && dot > base ? (size_t)(dot - base) : strlen(base);
+    const size_t length = cli_stem_length(base);
     char *name = settings->output.derived;
     const char *place = settings->output.place ? settings->output.place : "";
     const char *gap = *place && place[strlen(place) - 1] != '/' ? "/" : "";

@@ -35,6 +35,7 @@ static const cli_word view_words[] = {
     {"back", VIEW_BACK},
     {"left", VIEW_LEFT},
     {"bottom", VIEW_BOTTOM},
+    {"all", VIEW_ALL},
     {"third-angle", VIEW_THIRD_ANGLE},
     {"first-angle", VIEW_FIRST_ANGLE},
     {NULL, 0},
@@ -92,7 +93,7 @@ static const cli_flag flags[] = {
      .letter = 'o',
      .common = 1,
      .file = CLI_WRITES,
-     .aliases = "out",
+     .aliases = "out,render-output,out-file",
      .manual =
          "Writes the picture to _FILE_, or to standard output for *-*. The file extension chooses "
          "the format: *.png*, *.jpg*, *.jpeg*, *.webp*, *.svg*, *.pdf*, *.exr* or *.npy*; see "
@@ -125,13 +126,14 @@ static const cli_flag flags[] = {
      .not_for = HEIR_ANY, .file = CLI_READS, .aliases = "inputs-from,files0-from,from-file",
      .manual = "Reads names of inputs from _FILE_, as *burnish batch* does."},
     {DRAW_FLAG("resolution", "W,H", "width and height in pixels", cli_flag_size, picture.size),
+     .not_for = HEIR_BATCH | HEIR_SERVE | HEIR_COMPARE | HEIR_VIEW,
      CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .default_text = "1024,768", .aliases = "res",
      .manual = "Width and height of the picture in pixels, each from 1 to 16384. _W_*x*_H_ is the "
                "same. On a sheet this is the size of each cell."},
-    {DRAW_FLAG("size", "WxH", "width and height in pixels; N: a square", cli_flag_square,
+    {DRAW_FLAG("size", "WxH", "width and height in pixels; N: a square", cli_flag_size,
                picture.size),
      .not_for = HEIR_VIEW, CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .letter = 's',
-     .default_label = "1024x768", .common = 1,
+     .default_label = "1024x768", .common = 1, .aliases = "resize,thumbnail-size,geometry",
      .manual = "*--size=*_W_*x*_H_ is the same as *--resolution=*_W_*,*_H_, and *--size=*_N_ the "
                "same as *--resolution=*_N_*,*_N_."},
     {DRAW_FLAG("width", "N", "width; the height follows, unless it is given", cli_flag_integer,
@@ -158,12 +160,12 @@ static const cli_flag flags[] = {
                "draw. Without this flag both sides of a surface are lit."},
     {DRAW_FLAG("samples", "N", "samples per pixel (anti-aliasing)", cli_flag_word, picture.samples),
      .svg = CLI_SVG_REFUSED, .default_text = "4", .words = sample_words,
-     .aliases = "antialiasing,anti-aliasing,aa,msaa",
+     .aliases = "antialiasing,anti-aliasing,aa,msaa,a,render-samples",
      .manual = "Samples per pixel along edges: 1 (no anti-aliasing), 4, 8 or 16."},
     {DRAW_FLAG("background-color", "COLOR", "#rgb, #rrggbb, r,g,b or a name",
                render_flag_background, picture.background),
-     .value_type = CLI_TYPE_COLOR, .default_label = "the look's", .common = 1, .also = "background",
-     .aliases = "bg-color,bg", .off = "none",
+     .value_type = CLI_TYPE_COLOR, .default_label = "the look's", .common = 1,
+     .also = "background,bg-color", .aliases = "bg", .off = "none",
      .manual = "Colour of the background, see *COLOURS*, *none*, or *environment*: the environment "
                "of *--environment*, with its strength and turn. Parallel projections show it as a "
                "perspective of *--camera-view-angle* does. If *--no-background* is given too, the "
@@ -178,7 +180,9 @@ static const cli_flag flags[] = {
                "*front* shows the side that faces the viewer when the up axis points up (+Z for up "
                "+Y, -Y for up +Z), *iso* is the isometric view from the upper right front. They "
                "are parallel projections unless *--camera-orthographic=no* is given. Each view is "
-               "framed separately, in its own scale unless *--same-scale* is given. *third-angle* "
+               "framed separately, in its own scale unless *--same-scale* is given. *all* is the "
+               "seven views "
+               "from *front* to *bottom*. *third-angle* "
                "and *first-angle* are drawing sheets: front, top and side view aligned at one "
                "scale, *iso* in the free corner, a frame, and the symbol of the projection. "
                "*--resolution* is the size of the whole sheet, by default A4 at 144 dots per inch. "
@@ -186,7 +190,7 @@ static const cli_flag flags[] = {
                "millimetre, and the scale on paper is one of ISO 5455, such as 1:2."},
     {DRAW_FLAG("annotate", "LIST", "draw measurements", render_flag_annotate, picture.annotations),
      .value_type = CLI_TYPE_WORDS, .not_for = HEIR_COMPARE | HEIR_VIEW, .words = annotation_words,
-     .off = "none", .aliases = "annotations,axis,grid,dimensions,scale-bar,bounding-box",
+     .off = "none", .aliases = "annotations,axis,grid,dimensions,scale-bar,bounding-box,g,x",
      .manual =
          "Draws lines and numbers around the object, a list with commas: *axes*, the directions of "
          "X, Y and Z in a corner; *box*, the edges of the bounding box, dashed behind the object; "
@@ -218,13 +222,14 @@ static const cli_flag flags[] = {
      FILE_FLAG("output-format", "NAME", "format", cli_flag_word, output.format),
      .not_for = HEIR_BATCH,
      .words = format_words,
+     .aliases = "format,render-format",
      .manual = "Format of the picture, regardless of the file extension: for standard output. "
                "*auto*, the default, uses the extension."},
     {FILE_FLAG("quality", "N", "quality of JPEG and WebP", cli_flag_integer, output.quality),
      .svg = CLI_SVG_SAME, CLI_RANGE(1, 100), .default_label = "90, WebP without loss",
      .manual = "Quality of JPEG (90 by default) and WebP (lossless by default), from 1 to 100."},
     {FILE_FLAG("dpi", "N", "dots per inch, for printing", cli_flag_real, output.dots_per_inch),
-     CLI_RANGE(1, 65535), .default_label = "none",
+     CLI_RANGE(1, 65535), .default_label = "none", .aliases = "density",
      .manual =
          "Print resolution stored in PNG and JPEG; the pixels do not change. The width and height "
          "of an SVG or PDF are then in millimetres: pixels times 25.4 / _N_. With _N_ = 25.4 times "
@@ -241,7 +246,7 @@ static const cli_flag flags[] = {
          "only *coverage* and *color* are averaged. See *PLANES*."},
     {FILE_FLAG("turntable", "FILE", "animation: .gif .webp .mp4 .webm", cli_flag_text,
                output.turntable),
-     .not_for = HEIR_ANY, .file = CLI_WRITES,
+     .not_for = HEIR_ANY, .file = CLI_WRITES, .aliases = "animate,render-anim",
      .manual = "Writes an animation instead of a picture: one turn of the camera to the right, "
                "around the up axis through the focal point. The last frame continues into the "
                "first. All frames have the same framing, in which nothing is cut off. *.gif* has "
@@ -257,8 +262,8 @@ static const cli_flag flags[] = {
      .aliases = "frame-rate",
      .manual = "Frames per second of a turntable, from 1 to 120; at most 50 in a GIF."},
     {CLI_SWITCH("overwrite", "replace a file that burnish did not write", output.overwrite),
-     .phases = CLI_PHASE_FILE | CLI_PHASE_PROCESS,
-     .not_for = HEIR_SERVE | HEIR_REQUEST | HEIR_COMPARE,
+     .phases = CLI_PHASE_FILE | CLI_PHASE_PROCESS, .not_for = HEIR_SERVE | HEIR_REQUEST,
+     .aliases = "force,f,y,yes",
      .manual = "Replaces any file that has the picture's default name, or the name of *--output* "
                "without an extension of pictures. Without this flag only pictures written by "
                "burnish are replaced."},
@@ -280,7 +285,8 @@ static const cli_flag flags[] = {
     {DRAW_FLAG("camera-direction", "X,Y,Z", "direction of view; frames the object",
                cli_flag_nonzero, camera.direction),
      .default_label = "three-quarter", .common = 1,
-     .manual = "Direction from the camera into the scene, of any length. The camera is placed so "
+     .manual = "Direction from the camera into the scene, of any length, or an axis such as *-Z*. "
+               "The camera is placed so "
                "that the whole object fills the picture, up to *--margin*."},
     {DRAW_FLAG("azimuth", "DEG", "rotate to the right around the up axis", cli_flag_real,
                camera.azimuth),
@@ -314,11 +320,11 @@ static const cli_flag flags[] = {
                "to the direction of view."},
     {DRAW_FLAG("camera-view-angle", "DEG", "vertical field of view in degrees", cli_flag_real,
                camera.view_angle),
-     CLI_RANGE(0.001, 179), .default_text = "30", .aliases = "fov,field-of-view",
+     CLI_RANGE(0.001, 179), .default_text = "30", .aliases = "fov,field-of-view,lens",
      .manual = "Vertical field of view: the angle from the lower to the upper edge of the picture, "
                "in degrees, from 0.001 to 179."},
     {DRAW_FLAG("zoom", "F", "divide the distance by F", cli_flag_real, camera.zoom),
-     CLI_RANGE(1e-3, 1e3), .default_text = "1", .also = "camera-zoom-factor",
+     CLI_RANGE(1e-3, 1e3), .default_text = "1", .also = "camera-zoom-factor", .aliases = "scale",
      .manual = "Moves the camera nearer: divides the distance from the focal point, or the height "
                "of a parallel projection, by _F_, from 0.001 to 1000."},
     {DRAW_FLAG("camera-orthographic", "no", "parallel projection; no: perspective",
@@ -343,7 +349,7 @@ static const cli_flag flags[] = {
          "*right*. Implies *--camera-orthographic*. The scale is *pixels_per_unit* in the report."},
     {DRAW_FLAG("margin", "F", "free share of the picture at each side", cli_flag_real,
                camera.margin),
-     CLI_RANGE(0, 0.45), .default_text = "0.05",
+     CLI_RANGE(0, 0.45), .default_text = "0.05", .aliases = "padding,border",
      .manual = "Share of the picture's shorter side that framing leaves free at each side."},
     {.group = "Surface and light",
      .topic = "light",
@@ -351,6 +357,7 @@ static const cli_flag flags[] = {
      .default_text = "studio",
      .common = 1,
      .words = render_look_words,
+     .aliases = "engine,shading,preset",
      .manual = "A preset of lights, background, grey surface colour, ambient occlusion and edges; "
                "see *LOOKS*. Other flags change parts of it. With *--equation=phong* or another  "
                "*--lobe* than the default, the default look is *three-point*."},
@@ -362,7 +369,7 @@ static const cli_flag flags[] = {
      .manual = "Ignores colours, materials and textures of the input, but not its opacity: the "
                "object has the grey of the look, or the colour of *--color*."},
     {DRAW_FLAG("material", "NAME", "material preset", cli_flag_word, shading.material), .common = 1,
-     .words = render_preset_words,
+     .words = render_preset_words, .aliases = "metal,metallic,roughness",
      .manual =
          "A material preset for the whole object; see *MATERIALS*. Colours do not change, but "
          "*glass* without a colour is clear."},
@@ -406,7 +413,7 @@ static const cli_flag flags[] = {
                "the rig and all lights so far."},
     {DRAW_FLAG("environment", "NAME|FILE", "sky, room or an image: light from all directions",
                cli_flag_text, shading.environment.name),
-     .default_label = "none", .file = CLI_READS, .aliases = "hdri-file",
+     .default_label = "none", .file = CLI_READS, .also = "hdri-file,hdri", .aliases = "hdr,world",
      .manual = "Light from all directions, which replaces the lights of the look: *sky*, *room*, "
                "or an equirectangular image in Radiance HDR or EXR. Smooth and metallic surfaces "
                "reflect it. Lights of *--light* are added."},
@@ -424,13 +431,13 @@ static const cli_flag flags[] = {
     {DRAW_FLAG("exposure", "STOPS", "make light brighter (> 0) or darker", cli_flag_real,
                shading.exposure),
      .svg = CLI_SVG_REFUSED, CLI_RANGE(-BURNISH_EXPOSURE_MAX, BURNISH_EXPOSURE_MAX),
-     .default_text = "0",
+     .default_text = "0", .aliases = "light-intensity,brightness",
      .manual = "Multiplies light by 2^_STOPS_, from -20 to 20. A background colour and buffers "
                "of linear colour do not change."},
     {DRAW_FLAG("tone-mapping", "NAME", "curve from light to pixels", render_flag_tones,
                shading.tone_mapping),
      .svg = CLI_SVG_REFUSED, .value_type = CLI_TYPE_WORD, .optional = 1, .words = render_tone_words,
-     .default_label = "the look's", .off = "none",
+     .default_label = "the look's", .off = "none", .aliases = "t,view-transform",
      .manual =
          "How light becomes pixels: *none* clamps light above 1; *neutral*, also without _NAME_, "
          "is Khronos PBR Neutral, which keeps hues and makes bright colours pale gradually; *soft* "
@@ -471,13 +478,14 @@ static const cli_flag flags[] = {
                "object is there without this flag."},
     {DRAW_FLAG("edges", "LIST", "draw edges", render_flag_edges, shading.edges),
      .value_type = CLI_TYPE_WORDS, .common = 1, .optional = 1, .words = edge_words, .off = "none",
-     .aliases = "outline,outlines,feature-edges",
+     .aliases = "outline,outlines,feature-edges,no-edges",
      .manual = "Draws visible edges as lines: *silhouettes*, at steps in depth; *creases*, at hard "
                "edges; *boundaries* of open surfaces; borders between *materials*; or *none*. "
                "Without _LIST_ all of them; without the flag the look decides. Lines at a step in "
                "depth are *--edge-width* wide, others 3/5 of it."},
     {DRAW_SWITCH("wireframe", "draw the edges of all triangles", shading.wireframe),
-     .aliases = "wire,mesh-lines", .manual = "Draws the visible edges of all triangles as lines."},
+     .aliases = "wire,mesh-lines,e",
+     .manual = "Draws the visible edges of all triangles as lines."},
     {DRAW_SWITCH("hidden-lines", "draw hidden edges as dashed lines", shading.hidden_lines),
      .aliases = "hidden",
      .manual = "Draws the edges that the object hides as dashed lines, 3/5 as wide as outlines, "
@@ -489,7 +497,7 @@ static const cli_flag flags[] = {
                "together with *--hidden-lines*. Draws edges like *--edges* if the look does not."},
     {DRAW_FLAG("edge-width", "PIXELS", "width of outlines; other lines: 3/5 of it", cli_flag_real,
                shading.edge_width),
-     CLI_RANGE(0.1, BURNISH_EDGE_WIDTH_MAX), .default_label = "1.8", .aliases = "line-width",
+     CLI_RANGE(0.1, BURNISH_EDGE_WIDTH_MAX), .default_label = "1.8", .also = "line-width",
      .manual = "Width of lines at a step in depth, in pixels, from 0.1 to 100. Other lines have "
                "3/5 of it."},
     {DRAW_FLAG("edge-color", "COLOR", "colour of lines", cli_flag_color, shading.edge_color),
@@ -516,7 +524,8 @@ static const cli_flag flags[] = {
                "surfaces are not. The camera frames the rest."},
     {LOAD_FLAG("color-by", "VALUE", "height, normal, part, filament or a property", cli_flag_text,
                input.coloring.by),
-     .not_for = HEIR_COMPARE | HEIR_VIEW, .svg = CLI_SVG_REFUSED,
+     .not_for = HEIR_COMPARE | HEIR_VIEW, .svg = CLI_SVG_REFUSED, .also = "coloring-array,scalars",
+     .aliases = "scalar-coloring",
      .manual =
          "Colours the object by values of its vertices instead of its own colours: *height* along "
          "the up axis, *normal* (red, green and blue are the directions X, Y and Z), or a scalar "
@@ -526,11 +535,13 @@ static const cli_flag flags[] = {
          "leaves room for it. Not for *--look=drawing*, which has no colours."},
     {LOAD_FLAG("color-map", "NAME", "map of --color-by", cli_flag_word, input.coloring.map),
      .not_for = HEIR_COMPARE | HEIR_VIEW, .words = color_map_words, .default_text = "viridis",
+     .also = "colormap-file", .aliases = "colormap",
      .manual = "Colours of *--color-by*: *viridis*, *coolwarm*, which diverges from a grey middle, "
                "or *grey*. The colours are then lit like any others."},
     {LOAD_FLAG("color-range", "LO:HI", "range of --color-by", render_flag_range,
                input.coloring.range),
      .not_for = HEIR_COMPARE | HEIR_VIEW, .default_label = "of the values",
+     .also = "coloring-range,range",
      .manual = "Values with the first and the last colour of the map. Values beyond them get the "
                "nearest of the two. If _LO_ is more than _HI_, the map is reversed."},
     {DRAW_SWITCH("no-legend", "no legend of --color-by", input.coloring.no_legend),
@@ -613,7 +624,7 @@ static const cli_flag flags[] = {
               job.threads),
      .phases = CLI_PHASE_LOAD | CLI_PHASE_DRAW | CLI_PHASE_PROCESS,
      .not_for = HEIR_BATCH | HEIR_REQUEST, CLI_RANGE(0, 1024), .default_text = "0",
-     .default_label = "all cores", .aliases = "jobs",
+     .default_label = "all cores", .aliases = "jobs,j",
      .manual =
          "Number of threads, 0 for all processors. The bytes of the picture do not depend on it."},
     {CLI_FLAG("isa", "NAME", "instruction set (does not affect the result)", cli_flag_text,
@@ -630,7 +641,7 @@ static const cli_flag flags[] = {
          "exit code 8 and writes no picture. Without this flag a blank picture is a warning."},
     {FILE_FLAG("reference", "FILE", "compare with a PNG; exit code 10 if different", cli_flag_text,
                output.reference),
-     .not_for = HEIR_ANY, .file = CLI_READS, .aliases = "ref",
+     .not_for = HEIR_ANY, .file = CLI_READS, .also = "ref",
      .manual =
          "Compares the picture, or the sheet, with a PNG of the same size. If they differ, the "
          "picture is still written, one line describes the difference, and the exit code is 10. "

@@ -192,5 +192,10 @@ const cli_section render_sections[] = {
          "One object. Numbers read back as exactly the values that were used. It is printed before "
          "the picture replaces an older one: if printing fails, the older picture stays.",
      .terms = json_terms},
+    {.heading = "IN PLACE OF F3D",
+     .text = "The long options of *f3d* are accepted: those with another name here are translated, "
+             "and those that burnish has nothing like are warnings, also with *--strict*. Run "
+             "through a link named "
+             "*f3d*, the program takes its letters, too. docs/f3d.md lists all of them."},
     {.heading = NULL},
 };

@@ -51,17 +51,15 @@ static const cli_flag flags[] = {
                "sandboxed."},
     {.group = "Picture",
      .topic = "picture",
-     CLI_FLAG("resolution", "W,H", "width and height in pixels", cli_flag_size,
+     CLI_FLAG("size", "WxH", "width and height in pixels; N: a square", cli_flag_size,
               render.picture.size),
      CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE),
-     .default_text = "512,512",
+     .letter = 's',
+     .default_text = "512x512",
      .common = 1,
+     .also = "resolution",
      .aliases = "width,height,res",
      .manual = "Default width and height of pictures."},
-    {CLI_FLAG("size", "WxH", "width and height in pixels; N: a square", cli_flag_square,
-              render.picture.size),
-     CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .letter = 's', .default_label = "512x512",
-     .manual = "The same as *--resolution=*_N_*,*_N_."},
 };
 
 static const cli_example examples[] = {

@@ -87,6 +87,11 @@ batch tet.obj in/a.obj -d facts --size=16
 check "without facts all is drawn again" [ "$(grep -c volume facts/burnish-batch.jsonl)" = 0 ]
 rm -r facts tet.obj
 check "the page asks for nothing else" [ "$(grep -cE 'https?:|url\(|@import' out/index.html)" = 0 ]
+cp in/a.obj b.obj
+batch b.obj in/a.obj -d columns --size=32 --sheet=tall.png --columns=1
+check "columns: $(cat "$err")" [ ! -s "$err" ]
+check "a column of two" sh -c '[ "$1" -lt "$2" ]' - $(png_size columns/tall.png)
+rm -r columns b.obj
 check "the sheet is a PNG" [ "$(head -c 4 out/sheet.png | tail -c 3)" = PNG ]
 
 # Labels that are too long lose their middle: parts often differ at the end of their names.

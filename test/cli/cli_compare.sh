@@ -31,6 +31,11 @@ passes() {
 fails() {
     gives 10 compare a.png b.png "$@"
 }
+echo old >old
+gives 2 compare a.png b.png -o old
+gives 10 compare a.png b.png -qo old --overwrite
+check "--quiet prints nothing, --overwrite replaces: $(cat "$out" "$err")" [ ! -s "$out" -a ! -s "$err" -a "$(png_size old | wc -w)" = 2 ]
+rm -f old
 passes --tolerance=3
 fails --tolerance=2
 passes --threshold=0.001

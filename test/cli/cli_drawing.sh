@@ -25,7 +25,7 @@ def value(flag):
         return None
     if flag["words"]:
         return next(word for word in flag["words"] if word not in (flag["default"], "none"))
-    if flag["type"] in ("integer", "number", "size", "square"):
+    if flag["type"] in ("integer", "number", "size"):
         middle = min((flag["low"] + flag["high"]) / 2, 100)
         number = min(2 * float(flag["default"]) or 20, flag["high"]) if (flag["default"] or "-")[0].isdigit() else middle
         return number if flag["type"] == "number" else int(number)

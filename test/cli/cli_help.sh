@@ -56,11 +56,6 @@ check "lobe table --help=all differs" sh -c "'$burnish' lobe table --help=all | 
 check "burnish help render differs from render --help" sh -c "'$burnish' help render | cmp - render.txt"
 check "flags before --help count" sh -c "'$burnish' render --samples=4 --help | cmp - render.txt"
 
-for command in batch serve-stdio; do
-    check "$command: --size and --resolution have the same default" \
-        [ "$("$burnish" $command --help=picture | grep -Ec -- '--(resolution|size)=.*\[512[,x]512\]')" = 2 ]
-done
-
 run --version
 check "version" grep -qx 'burnish [0-9]*\.[0-9]*\.[0-9]*' "$out"
 check "-V" sh -c "'$burnish' -V | cmp - '$out'"

@@ -16,7 +16,7 @@ expect 2 'burnish: --samples: a value is missing: --samples=N' render :sphere --
 expect 2 'burnish: --output: a value is missing before --json: --output=FILE' render :sphere -o --json
 expect 2 'burnish: --output: a value is missing before --help: --output=FILE' render :sphere -o --help
 expect 2 'burnish: --timing: takes no value; write --timing alone' render :sphere --timing=1
-expect 2 'burnish: --resolution: "0,5" is not a width and a height from 1 to 16384, such as 1024,768' render :sphere --resolution=0,5
+expect 2 'burnish: --resolution: "0,5" is not a width and a height from 1 to 16384, such as 1024x768, or one number for both' render :sphere --resolution=0,5
 expect 2 'burnish: --camera-view-angle: "nan" is not a number from 0.001 to 179' render :sphere --camera-view-angle=nan
 expect 2 'burnish: --camera-position: "1,2" is not three numbers, such as 1,0.5,-2' render :sphere --camera-position=1,2
 expect 2 'burnish: --camera-direction: 0,0,0 has no direction; give a vector that is not zero' render :sphere --camera-direction=0,0,0
@@ -61,6 +61,71 @@ expect 0 '' render :sphere --size=16 --isa=scalar -o x.png
 unset BURNISH_ISA
 rm -f x.png
 nothing_left "wrong usage"
+# Letters in groups, one meaning of --size, all views, words of other programs.
+size_of() { png_size x.png; rm -f x.png; }
+for words in '-qs64' '-qs 64' '-q -s64x64' '--resolution=64' '--size=64X64'; do
+    expect 0 '' render :sphere $words -o x.png
+    same "$words" "$(size_of)" '64 64'
+done
+expect 2 'burnish: -z: unknown flag; "burnish render --help" lists the flags' render :sphere -qz
+expect 0 '' render :sphere -q --views=all --size=16 -o x.png
+same "seven views" "$(size_of)" "$(run render :sphere -q --views=front,right,top,iso,back,left,bottom --size=16 -o x.png; size_of)"
+expect 2 'burnish: --views: all is a whole sheet; omit the other views' render :sphere --views=top,all
+for pair in padding:margin scale:zoom force:overwrite format:output-format engine:look resize:size world:environment; do
+    expect 2 "burnish: --${pair%:*}: unknown flag; did you mean --${pair#*:}?" render :sphere "--${pair%:*}"
+done
+expect 2 'burnish: -y: unknown flag; did you mean --overwrite?' render :sphere -y
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' | gzip -c >x.obj.gz
+expect 0 '' render x.obj.gz -q
+same "the name of a compressed mesh" "$(size_of)" '1024 768'
+rm -f x.obj.gz
+gives 0 version
+same "version" "$(cat "$out")" "$("$burnish" --version)"
+# Command lines of Manyfold, FreeCAD and file managers, under f3d's name; then every option of docs/f3d.md.
+ln -s "$burnish" f3d
+block 10 6 5 >part.obj
+run render :sphere --edges=1 --size=16 -o y.png
+run render :sphere --wireframe --size=16 -o x.png
+check "--edges=1 are all edges" cmp x.png y.png
+run render :sphere --look=technical --edges=none --size=16 -o y.png
+run render :sphere --look=technical --size=16 -o x.png
+check "--edges=none is burnish's" [ "$(cmp x.png y.png | wc -l)" = 1 ]
+expect 2 'burnish: --no-render: unknown flag; "burnish render --help" lists the flags' render :sphere --no-render
+burnish_before=$burnish
+burnish=$scratch/f3d
+gives 0 part.obj --ambient-occlusion=1 --anti-aliasing=true --axis=0 --background-color=0,0,0 --filename=0 --grid=1 \
+    --grid-color=0,255,255 --grid-subdivisions=0 --grid-unit=10 --no-config=1 --output=- --resolution=64,64 \
+    --tone-mapping=1 --translucency-support=1 --up=+z --camera-direction=-1,1,-0.5 --color=1,1,1
+cp "$out" x.png
+same "Manyfold's picture" "$(size_of)" '64 64'
+same "its warnings" "$(grep -c 'no effect: burnish has nothing like it' "$err")" 3
+gives 0 part.obj --verbose=debug --no-render=1 --no-config=1
+same "its box" "$(cat "$out")" 'Scene bounding box: 0 ≤ x ≤ 10, 0 ≤ y ≤ 6, 0 ≤ z ≤ 5'
+gives 0 --list-readers
+same "its types" "$(grep -cE '(model/|application/vnd\.)[0-9a-z.+-]*$' "$out")" 7
+gives 0 --version
+check "FreeCAD's version: $(cat "$out")" grep -qE '^Version: [2-9]\.[0-9]+\.[0-9]+$' "$out"
+freecad='--load-plugins=occt --config=thumbnail --verbose=quiet --resolution=64,48 --filename=0 --grid=0 --axis=0 --no-background --max-size=100'
+for word in $freecad; do
+    expect 0 '' "$word" --no-render
+done
+expect 0 '' $freecad --output x.png ./part.obj
+same "a thumbnail" "$(size_of)" '64 48'
+expect 0 '' part.obj --output=x.jpg -qatgx --camera-position -20,15,9 --edges --camera-view-up +Y
+check "a PNG of this name" grep -q PNG x.jpg
+for words in 'none.obj --output=x.png' 'part.obj --output=x.png --frobnicate' 'part.obj --output=no/x.png' 'part.obj --output=x.png -w'; do
+    gives 1 $words
+done
+grep '^| `' "$(dirname "$0")/../../docs/f3d.md" >rows
+while read -r row; do
+    for word in $(printf '%s' "${row#|}" | cut -d'|' -f1 | grep -o '`[^`]*`' | tr -d '`'); do
+        gives 0 :sphere --output=x.png --resolution=16,16 --reference-threshold=1 "$word"
+        check "$word: $(cat "$err")" [ "$(grep -c 'nothing like it' "$err")" = "$(printf '%s' "$row" | grep -c 'no effect')" ]
+    done
+done <rows
+burnish=$burnish_before
+rm -f f3d part.obj rows x.png x.jpg y.png
+nothing_left "f3d"
 # Names can't control a terminal: ESC [, the same as one character, an override of the writing direction, an isolate. They are
 # replaced in text, tables and pages, and escaped in JSON, which keeps them.
 name=$(printf 'a\033[31m\302\23331m\342\200\256b\342\201\246')

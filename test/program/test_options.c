@@ -110,7 +110,6 @@ static void test_errors(void) {
     expect_error("--colour=red", "--colour: unknown flag; did you mean --color?");
     expect_error("--treads|2", "--treads: unknown flag; did you mean --threads?");
     expect_error("--zise=3", "--zise: unknown flag; did you mean --size?");
-    expect_error("--bg-color=red", "--bg-color: unknown flag; did you mean --background-color?");
     expect_error("--fov", "--fov: unknown flag; did you mean --camera-view-angle?");
     expect_error("--up-axis=+Z", "--up-axis: unknown flag; did you mean --up?");
     expect_error("--transparent", "--transparent: unknown flag; did you mean --no-background?");
@@ -119,8 +118,12 @@ static void test_errors(void) {
     expect_error("--samples=", "--samples: \"\" is not one of 1, 4, 8, 16");
     expect_error("-o", "--output: a value is missing: --output=FILE");
     expect_error("-o=x", "-o: write -o FILE or --output=FILE, not -o=FILE");
-    expect_error("--size=0", "--size: \"0\" is not a whole number from 1 to 16384");
-    expect_error("--size=1e3", "--size: \"1e3\" is not a whole number from 1 to 16384");
+    expect_error("--size=0",
+                 "--size: \"0\" is not a width and a height from 1 to 16384, such as 1024x768, "
+                 "or one number for both");
+    expect_error("--size=1e3",
+                 "--size: \"1e3\" is not a width and a height from 1 to 16384, such as 1024x768, "
+                 "or one number for both");
     expect_error("--margin=0.6", "--margin: \"0.6\" is not a number from 0 to 0.45");
     expect_error("--color=greige",
                  "--color: \"greige\" is not a colour: #rgb, #rrggbb, r,g,b from 0 to "
@@ -131,9 +134,11 @@ static void test_errors(void) {
                                      "or 32, or composite:2 to composite:6, display:5, display:6, "
                                      "lyon:ORDER, power, schlick, gaussian, gx, exact, auto");
     expect_error("--views=front,,top",
-                 "--views: \"\" is not one of front, right, top, iso, back, left, bottom, "
+                 "--views: \"\" is not one of front, right, top, iso, back, left, bottom, all, "
                  "third-angle, first-angle");
-    expect_error("--size=\x1b[2J", "--size: \"?[2J\" is not a whole number from 1 to 16384");
+    expect_error("--size=\x1b[2J",
+                 "--size: \"?[2J\" is not a width and a height from 1 to 16384, such as 1024x768, "
+                 "or one number for both");
 }
 
 static void test_numbers(void) {

@@ -124,7 +124,7 @@ expect 2 'burnish: --exponents: the figure core has an axis of exponents; give i
     plot core --exponents=5
 expect 2 'burnish: --exponents: the figure cost is drawn for one exponent' plot cost --exponents=5,6
 expect 2 'burnish: --bits: "0" is not a number above 0 up to 64' plot ratio --bits=0
-expect 2 'burnish: --size: "9,9" is not a width and a height from 160 to 4096, such as 1024,768' plot curves --size=9,9
+expect 2 'burnish: --size: "9,9" is not a width and a height from 160 to 4096, such as 1024x768, or one number for both' plot curves --size=9,9
 expect 2 "burnish: --size: the names in the figure ratio take 400,250 or more" \
     plot ratio --size=200,300
 expect 2 'burnish: --output: the figure curves is written as svg, png, csv or gp' plot curves -o curves.pdf

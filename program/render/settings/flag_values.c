@@ -124,6 +124,10 @@ burnish_status render_flag_views(const cli_flag *flag, const char *text, void *t
         {VIEW_FRONT, VIEW_TOP, VIEW_RIGHT, VIEW_ISO}, 4, VIEW_THIRD_ANGLE};
     static const render_views first_angle = {
         {VIEW_FRONT, VIEW_TOP, VIEW_LEFT, VIEW_ISO}, 4, VIEW_FIRST_ANGLE};
+    static const render_views all = {
+        {VIEW_FRONT, VIEW_RIGHT, VIEW_TOP, VIEW_ISO, VIEW_BACK, VIEW_LEFT, VIEW_BOTTOM},
+        7,
+        VIEW_FREE};
     render_views *views = target;
     render_views read = {.count = 0};
     while (text) {
@@ -134,13 +138,13 @@ burnish_status render_flag_views(const cli_flag *flag, const char *text, void *t
         if (status != BURNISH_STATUS_OK) {
             return status;
         }
-        if (view == VIEW_THIRD_ANGLE || view == VIEW_FIRST_ANGLE) {
+        if (view >= VIEW_ALL) {
             if (read.count > 0 || text) {
                 return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                                 "--%s: %s is a whole sheet; omit the other views", flag->name,
                                 item);
             }
-            read = view == VIEW_FIRST_ANGLE ? first_angle : third_angle;
+            read = view == VIEW_ALL ? all : view == VIEW_FIRST_ANGLE ? first_angle : third_angle;
             break;
         }
         if (read.count == RENDER_LIST_MAX) {
@@ -279,7 +283,7 @@ burnish_status render_flag_tones(const cli_flag *flag, const char *text, void *t
 
 burnish_status render_flag_range(const cli_flag *flag, const char *text, void *target,
                                  burnish_error *error) {
-    const char *colon = strchr(text, ':');
+    const char *colon = strpbrk(text, ":,");
     double range[2] = {0, 0};
     if (!colon || !cli_read_reals(text, (size_t)(colon - text), range, 1) ||
         !cli_read_reals(colon + 1, strlen(colon + 1), range + 1, 1) || range[0] == range[1] ||

@@ -140,6 +140,7 @@ typedef enum render_view {
     VIEW_TOP,
     VIEW_BOTTOM,
     VIEW_ISO,
+    VIEW_ALL,         /* all of these, as a sheet */
     VIEW_THIRD_ANGLE, /* layouts of several views */
     VIEW_FIRST_ANGLE
 } render_view;
@@ -173,6 +174,7 @@ typedef struct render_picture_settings {
 
     render_views views;
     int columns;        /* 0: chosen by the number of cells */
+    int is_on_sheet;    /* 1: a batch has a sheet of all pictures */
     const char *labels; /* NULL: names of views and lobes */
     int no_labels;
     const char *font;  /* file; NULL: the system's, if a label needs one */
