@@ -67,6 +67,9 @@ static burnish_material random_material(int textures) {
     material.coat = chance(20) ? (float)uniform(0, 1) : 0;
     material.coat_roughness = material.sheen_roughness = (float)uniform(0, 1);
     material.sheen[1] = chance(10) ? (float)uniform(0, 1) : 0;
+    material.iridescence = chance(10) ? (float)uniform(0, 1) : 0;
+    material.film_index = 1.4f;
+    material.film_thickness[1] = (float)uniform(0, 900);
     material.anisotropy[0] = chance(10) ? (float)uniform(-1, 1) : 0;
     material.is_unlit = chance(10);
     material.transmission = chance(30) ? (float)uniform(0, 1) : 0;
@@ -228,6 +231,7 @@ static void change_material(frame *f) {
     if (!burnish_mesh_get_view(mesh)->tangents) {
         material.textures[BURNISH_TEXTURE_NORMAL].texture = 0;
         material.textures[BURNISH_TEXTURE_COAT_NORMAL].texture = 0;
+        memset(material.anisotropy, 0, sizeof material.anisotropy);
     }
     if (!burnish_mesh_get_view(mesh)->texture_coordinates) {
         memset(material.textures, 0, sizeof material.textures);
