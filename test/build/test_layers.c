@@ -109,7 +109,6 @@ static const struct layer {
     {"lobe/firmware/avr", ""},
     {"lobe/firmware/host", ""},
     {"lobe/firmware/rv32", ""},
-    {"lobe/rtl/demo/test", "../../test burnish/shade_q15.h"},
     {"lobe/rtl/test", "burnish/lobe_q15.h burnish/shade_q15.h"},
     {"bindings/python", "base base/cli cli burnish"},
 };
