@@ -50,7 +50,10 @@ extern "C" {
     X(PLY, ply, ".ply", 0, 1, 0)                                                                   \
     X(STL, stl, ".stl", 0, 0, 1)                                                                   \
     X(3MF, 3mf, ".3mf", 0, 0, 1)                                                                   \
-    X(BMS, bms, ".bms", 0, 1, 0)
+    X(BMS, bms, ".bms", 0, 1, 0)                                                                   \
+    X(PCD, pcd, ".pcd", 0, 1, 0)                                                                   \
+    X(LAS, las, ".las", 0, 0, 1)                                                                   \
+    X(XYZ, xyz, ".xyz .pts", 0, 0, 1)
 
 /* The sources of meshes. File formats come last. */
 typedef enum burnish_format {
@@ -172,7 +175,7 @@ typedef struct burnish_load_options {
                           but their diameter between 1/2000 and 1/25 of the bounds' diagonal; the
                           diameter of lines is 1/300 of the diagonal */
     const char *scalar_property; /* NULL, or the name of a scalar property of the vertices of a PLY
-                             file, or of a scalar attribute of glTF such as "_HEAT". It replaces
+                             file or a cloud, or of a scalar attribute of glTF such as "_HEAT". It replaces
                              the texture coordinates: u (and in PLY v) is its value. Use it with
                              keep_texture_coordinates. A file without it fails with FORMAT; other
                              formats ignore it */

@@ -15,7 +15,8 @@ static const char *up_name(const info_report *r) {
     const float *axis = r->view->up_axis;
     const int usual = axis[0] > 0.5F ? 0 : axis[1] > 0.5F ? 1 : 2;
     static const char *const names[] = {"+X", "+Y", "+Z"};
-    return names[r->stance.is_other ? r->stance.other : usual];
+    const int is_camera = r->stance.reason && *r->stance.reason == 'c';
+    return is_camera ? "-Y" : names[r->stance.reason ? r->stance.other : usual];
 }
 
 static const char *format_name(const info_report *r, char extension[IMPORT_EXTENSION_SIZE]) {
@@ -167,8 +168,9 @@ static void add_sizes(cJSON *root, const info_report *r, int *failed) {
     cli_json_add(root, "unit", cli_json_text(burnish_mesh_get_info(r->mesh)->unit), failed);
     cli_json_add(root, "bounding_box", box, failed);
     cli_json_add(root, "up", cJSON_CreateString(up_name(r)), failed);
-    cli_json_add(root, "up_source", cJSON_CreateString(r->stance.is_other ? "auto" : "format"),
+    cli_json_add(root, "up_source", cJSON_CreateString(r->stance.reason ? "auto" : "format"),
                  failed);
+    cli_json_add(root, "up_reason", cli_json_text(r->stance.reason), failed);
     cJSON *tipping = r->stance.usual > 0 ? cJSON_CreateObject() : cJSON_CreateNull();
     if (r->stance.usual > 0) {
         cli_json_add(tipping, "+Y", cli_json_real(r->stance.tipping[1]), failed);
@@ -361,12 +363,19 @@ static void print_tipping(FILE *stream, const render_stance *stance, int axis) {
 /* The up axis of pictures, and why. */
 static void print_up(FILE *stream, const info_report *r) {
     fprintf(stream, "  %-20s  %s, ", "up", up_name(r));
+    if (r->stance.reason && r->stance.usual == 0) {
+        fprintf(stream, "guessed: a cloud of %s\n",
+                *r->stance.reason == 't'   ? "terrain or buildings, low along z"
+                : *r->stance.reason == 'c' ? "a depth camera, y downwards"
+                                           : "geographic coordinates");
+        return;
+    }
     if (r->stance.usual == 0 || r->stance.flat_axis) {
         fprintf(stream, "the axis of the format%s\n",
                 r->stance.flat_axis ? ": a sheet, drawn face on" : "");
         return;
     }
-    fprintf(stream, r->stance.is_other ? "guessed: " : "the axis of the format: ");
+    fprintf(stream, r->stance.reason ? "guessed: " : "the axis of the format: ");
     print_tipping(stream, &r->stance, r->stance.usual);
     fprintf(stream, ", ");
     print_tipping(stream, &r->stance, r->stance.other);

@@ -83,8 +83,10 @@ static const cli_term json_terms[] = {
                "null if unknown"},
     {"*bounding_box*", "*min*, *max* and *size* of the triangles with area, or of the positions of "
                        "points or lines, in the units of the input"},
-    {"*up, up_source*", "the up axis in pictures; format, or auto if it is not the axis of the "
-                        "format because the object would fall over (docs/formats.md)"},
+    {"*up, up_source, up_reason*",
+     "the up axis in pictures; format, or auto if it is not the axis of the format; then why: "
+     "stability, as the object would fall over, or a point cloud of terrain, of geographic "
+     "coordinates, or of a depth camera (docs/formats.md)"},
     {"*tipping_angles*",
      "degrees by which the object can lean on +Y and +Z before it falls, negative if it falls; "
      "null for points, lines and formats that state their axis"},

@@ -279,7 +279,10 @@ static const cli_flag flags[] = {
          "format: " FORMAT_AXES
          ". *auto*, the default, is the same except for objects that would fall over: an OBJ, PLY "
          "or OFF file whose object is stable on +Z, and an STL file whose object falls on +Z and "
-         "is very stable on +Y. *burnish info* prints how stable it is. An object that is flat, "
+         "is very stable on +Y; and for point clouds of terrain, buildings or geographic "
+         "coordinates, which take +Z, and PCD files of a depth camera, which take -Y. *burnish "
+         "info* prints how stable it is. An object that is "
+         "flat, "
          "with an extent of at most 0.5 % of its longest one, is a drawing: it keeps the axis, and "
          "the default view shows it face on. See docs/formats.md."},
     {DRAW_FLAG("camera-direction", "X,Y,Z", "direction of view; frames the object",
@@ -529,7 +532,8 @@ static const cli_flag flags[] = {
      .manual =
          "Colours the object by values of its vertices instead of its own colours: *height* along "
          "the up axis, *normal* (red, green and blue are the directions X, Y and Z), or a scalar "
-         "property of the vertices of a PLY or glTF file, such as *intensity* or *_HEAT*; or the "
+         "property of the points or vertices of a PLY, PCD, LAS, XYZ or glTF file, such as "
+         "*intensity* or *_HEAT*; or the "
          "*part* or *filament* of a print project (3MF). Values "
          "are interpolated over triangles and then mapped. A legend shows the range; framing "
          "leaves room for it. Not for *--look=drawing*, which has no colours."},
@@ -594,7 +598,8 @@ static const cli_flag flags[] = {
               job.max_memory),
      .phases = CLI_PHASE_PROCESS, .not_for = HEIR_ANY, CLI_RANGE(1, 9e18), .default_label = "all",
      .manual = "Limit on the address space of the process in bytes, including reserved but unused "
-               "memory such as the stacks of threads. An STL, PLY, OBJ or OFF file that would need "
+               "memory such as the stacks of threads. An STL, PLY, OBJ, OFF, PCD, LAS or XYZ file "
+               "that would need "
                "more becomes a preview: one in so many triangles (STL) or vertices (the others), "
                "as points, with a warning. Any other run that needs more ends with exit code 6. "
                "_N_ can end in *K*, *M* or *G*."},

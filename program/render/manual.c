@@ -122,8 +122,9 @@ static const cli_term json_terms[] = {
     {"*origin*", "subtracted from coordinates, in double precision, before they are rounded to "
                  "single precision: 0, 0, 0, or a position near the middle of an input that is far "
                  "away from it. Flags and output always use the coordinates of the input"},
-    {"*up, up_source, view*", "the up axis; its source: flag, format, or auto if it is not the "
-                              "format's; the standard view, if any"},
+    {"*up, up_source, up_reason, view*",
+     "the up axis; flag, format or auto; why auto (stability, terrain, geographic or camera, else "
+     "null); the standard view, if any"},
     {"*inside_out*", "true if a closed surface is inside out: its triangles are clockwise seen "
                      "from outside, which pictures do not show; null if the surface is open"},
     {"*triangles_drawn*", "triangles that are visible in at least one sample"},

@@ -21,7 +21,7 @@ struct session {
     char *texts; /* of the last call's options */
     cli_companions companions;
     burnish_mesh *mesh;
-    render_camera_settings stance; /* up, stands_otherwise and flat_axis of the mesh */
+    render_camera_settings stance; /* up, stands_otherwise, flat_axis and slant of the mesh */
     render_coloring coloring;      /* of the mesh; has the name itself */
     burnish_material *materials;   /* of the input; options of a picture change those of the mesh */
     int is_strict;                 /* as the mesh was opened */
@@ -516,6 +516,7 @@ burnish_status session_draw(session *s, session_options options, burnish_error *
     s->settings.camera.up = s->stance.up;
     s->settings.camera.stands_otherwise = s->stance.stands_otherwise;
     s->settings.camera.flat_axis = s->stance.flat_axis;
+    memcpy(s->settings.camera.slant, s->stance.slant, sizeof s->stance.slant);
     s->settings.input.load.strict = s->is_strict;
     if (status == BURNISH_STATUS_OK) {
         status = warn_useless(s, error);

@@ -240,9 +240,9 @@ static burnish_status check_coloring(const burnish_mesh *mesh, const burnish_col
     }
     if (status == BURNISH_STATUS_OK && coloring->source == BURNISH_COLOR_BY_PROPERTY &&
         !mesh->view.texture_coordinates) {
-        status = burnish_fail(
-            error, BURNISH_STATUS_ARGUMENT,
-            "colours: the mesh has no scalar property; only PLY and glTF files have them");
+        status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                              "colours: the mesh has no scalar property; only PLY, PCD, LAS, XYZ "
+                              "and glTF files have them");
     }
     if (status == BURNISH_STATUS_OK &&
         ((coloring->source == BURNISH_COLOR_BY_PART && mesh->contents.part_count == 0) ||

@@ -122,8 +122,10 @@ static void test_triangles(void) {
     burnish_error error;
     mesh = load_bytes(text, strlen(text), "a.ply", &options);
     CHECK1(burnish_mesh_color_by(mesh, &coloring, NULL, &error) == BURNISH_STATUS_ARGUMENT);
-    CHECK_TEXT(error.text, "colours: the mesh has no scalar property; only PLY and glTF files have "
-                           "them");
+    CHECK_TEXT(
+        error.text,
+        "colours: the mesh has no scalar property; only PLY, PCD, LAS, XYZ and glTF files have "
+        "them");
     burnish_mesh_destroy(mesh);
 }
 

@@ -356,6 +356,55 @@ static void test_lying_scene(void) {
     release(&p);
 }
 
+/* Clouds of terrain and of geographic coordinates take +Z, those of a depth camera -Y. */
+static void test_cloud_stance(void) {
+    static const struct {
+        const char *scale, *reason; /* of x, y, z; after a distance */
+    } cases[] = {{"0 100 80 15", "terrain"},    {"0 100 80 40", NULL},
+                 {"0 0.5 0.5 0.4", "camera"},   {"0 100 15 80", NULL},
+                 {"0 100 80 0.1", NULL},        {"500000 100 80 90", "geographic"},
+                 {"11000 9000 8000 9000", NULL}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const burnish_load_options load = burnish_load_options_default();
+        char text[1024] = "FIELDS x y z\nPOINTS 27\nDATA ascii\n", *end = text + strlen(text);
+        double away, size[3];
+        burnish_mesh *mesh = NULL;
+        burnish_error error;
+        sscanf(cases[i].scale, "%lf %lf %lf %lf", &away, &size[0], &size[1], &size[2]);
+        for (int k = 0; k < 27; ++k) {
+            end += sprintf(end, "%g %g %g\n", away + k % 3 * size[0] / 2,
+                           away + k / 3 % 3 * size[1] / 2, 1 + k / 9 * size[2] / 2.0);
+        }
+        CHECK_OK(burnish_mesh_load_memory(text, strlen(text), "a.pcd", &load, &mesh, &error),
+                 error);
+        const char *reason = render_find_stance(mesh).reason;
+        CHECK(reason == cases[i].reason ||
+                  (reason && cases[i].reason && strcmp(reason, cases[i].reason) == 0),
+              "%s: %s", cases[i].scale, reason ? reason : "none");
+        burnish_mesh_destroy(mesh);
+    }
+}
+
+/* A sheet in a slanted plane is shown from its front, unless a flag states the view. */
+static void test_slanted_view(void) {
+    static const char sheet[] = "v 0 0 0\nv 9 0 9\nv 0 9 9\nv 9 9 18\nf 1 2 3\nf 2 4 3\n";
+    for (int is_given = 0; is_given < 2; ++is_given) {
+        prepared p = prepare(is_given ? "x|--elevation=20" : "x", sheet);
+        burnish_camera camera;
+        render_room room = {.is_given = 0};
+        CHECK_OK(render_camera(p.mesh, &p.line.settings, VIEW_FREE, &room, &camera, &p.line.error),
+                 p.line.error);
+        double along = 0, length = 0;
+        for (int k = 0; k < 3; ++k) {
+            const double away = camera.position[k] - camera.focal_point[k];
+            along += k < 2 ? -away : away;
+            length += away * away;
+        }
+        CHECK((along / sqrt(3 * length) > 0.9999) == !is_given, "%g", along / sqrt(3 * length));
+        release(&p);
+    }
+}
+
 /* The three-quarter view rises over flat objects, unless a flag states the elevation. */
 static void test_flat_view(void) {
     static const struct {
@@ -541,7 +590,9 @@ int main(int count, char **arguments) {
     RUN(test_long_rows());
     RUN(test_cut_scene());
     RUN(test_lying_scene());
+    RUN(test_cloud_stance());
     RUN(test_flat_view());
+    RUN(test_slanted_view());
     RUN(test_black_material());
     RUN(test_lit_scene());
     RUN(test_dark_scene());

@@ -199,6 +199,7 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     const char *up = render_up_name(mesh, &settings->camera);
     cli_json_add(root, "up", cJSON_CreateString(up), failed);
     cli_json_add(root, "up_source", cJSON_CreateString(source), failed);
+    cli_json_add(root, "up_reason", cli_json_text(settings->camera.stands_otherwise), failed);
     cli_json_add(root, "inside_out", inside_out(view, info->point_count + info->line_count == 0),
                  failed);
 }

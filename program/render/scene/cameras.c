@@ -60,7 +60,9 @@ static const frame *frame_in_use(const burnish_mesh *mesh, const render_camera_s
         nearest = dot(frames[i].up, up) > dot(frames[nearest].up, up) ? i : nearest;
     }
     if (camera->up == UP_AUTO && camera->stands_otherwise) {
-        nearest = nearest == UP_POSITIVE_Y ? UP_POSITIVE_Z : UP_POSITIVE_Y;
+        nearest = *camera->stands_otherwise == 'c' ? UP_NEGATIVE_Y
+                  : nearest == UP_POSITIVE_Y       ? UP_POSITIVE_Z
+                                                   : UP_POSITIVE_Y;
     }
     return &frames[nearest];
 }
@@ -314,13 +316,17 @@ static double lift_of_flat(const burnish_mesh *mesh, const double up[3]) {
     return longest > 0 ? fmin(fmax((0.25 - height / longest) * 150, 0), 30) : 0;
 }
 
+static int has_own_view(const render_camera_settings *camera) {
+    return camera->direction.given || camera->view_up.given || camera->azimuth.value != 0 ||
+           camera->elevation.given;
+}
+
 /* The default view: three-quarter, or the standard view that shows a flat object face on. */
 static render_view default_view(request *from) {
     const render_camera_settings *camera = &from->settings->camera;
     const frame *axes = from->axes;
     const int k = camera->flat_axis - 1;
-    if (camera->direction.given || camera->view_up.given || camera->azimuth.value != 0 ||
-        camera->elevation.given) {
+    if (has_own_view(camera)) {
         return VIEW_FREE;
     }
     if (k < 0) {
@@ -344,6 +350,12 @@ static burnish_status framed_camera(request from, render_view view, burnish_came
     if (!settings->camera.elevation.given && !settings->camera.direction.given &&
         !settings->camera.view_up.given) {
         framing->elevation += lift_of_flat(from.mesh, axes->up);
+    }
+    const double *slant = settings->camera.slant;
+    if (view == VIEW_FREE && !has_own_view(&settings->camera) && dot(slant, slant) > 0) {
+        subtract((const double[3]){0, 0, 0}, slant, direction);
+        usual_upward(axes, direction, upward);
+        return fit_along(from, direction, upward, camera, error);
     }
     view = view == VIEW_FREE ? default_view(&from) : view;
     if (view != VIEW_FREE) {

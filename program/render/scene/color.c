@@ -27,10 +27,10 @@ burnish_status render_color(const render_settings *settings, burnish_mesh *mesh,
     }
     const burnish_format format = burnish_mesh_get_info(mesh)->format;
     if (render_colors_by_property(wanted) && format != BURNISH_FORMAT_PLY &&
-        format != BURNISH_FORMAT_GLTF) {
+        format != BURNISH_FORMAT_GLTF && format < BURNISH_FORMAT_PCD) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
                         "--color-by: \"%.60s\" is none of height, normal, part and filament, and "
-                        "only PLY and glTF files have other properties",
+                        "only PLY, PCD, LAS, XYZ and glTF files have other properties",
                         wanted->by);
     }
     const burnish_annotate_options stance = render_make_annotations(mesh, settings);

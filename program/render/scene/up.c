@@ -7,6 +7,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 enum { DIRECTIONS = 32 }; /* of the measured extents of the hull */
 
@@ -30,35 +31,85 @@ enum { DIRECTIONS = 32 }; /* of the measured extents of the hull */
 /* The largest extent of a flat object along its normal, in its longest extents. */
 #define FLAT 0.005
 
+/* A surface that faces one way is a sheet in a slanted plane if it is at most this share of its longest
+ * side thick, and its normal farther than 8 degrees from all axes. */
+#define FACING 0.9
+#define SLANTED 0.1
+#define STRAIGHT 0.99
+
+static double length_of(const double v[3]) {
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/* A triangle's normal, as long as twice its area, which is returned. */
+static double find_area(const burnish_mesh_view *view, size_t triangle, double normal[3]) {
+    const uint32_t *corner = view->indices + 3 * triangle;
+    const float *a = view->positions + 3 * (size_t)corner[0];
+    const float *b = view->positions + 3 * (size_t)corner[1];
+    const float *c = view->positions + 3 * (size_t)corner[2];
+    double u[3], v[3];
+    for (int k = 0; k < 3; ++k) {
+        u[k] = (double)b[k] - (double)a[k];
+        v[k] = (double)c[k] - (double)a[k];
+    }
+    for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        normal[k] = u[i] * v[j] - u[j] * v[i];
+    }
+    return length_of(normal);
+}
+
+/* The normal of a sheet in a slanted plane, or 0, 0, 0. */
+static void find_slant(const burnish_mesh_view *view, double normal[3]) {
+    enum { SAMPLES = 1024 };
+    double one[3], sum[3] = {0}, total = 0, low = DBL_MAX, high = -DBL_MAX, longest = 0;
+    int is_straight = 0;
+    for (size_t t = 0; t < view->triangle_count; t += view->triangle_count / SAMPLES + 1) {
+        total += find_area(view, t, one);
+        for (int k = 0; k < 3; ++k) {
+            sum[k] += one[k];
+        }
+    }
+    const double length = length_of(sum);
+    const int faces_one_way = length > FACING * total;
+    for (int k = 0; k < 3; ++k) {
+        normal[k] = faces_one_way ? sum[k] / length : 0;
+        is_straight |= fabs(normal[k]) > STRAIGHT;
+        longest = fmax(longest, (double)view->bounds_max[k] - (double)view->bounds_min[k]);
+    }
+    for (size_t i = 0; i < view->vertex_count && faces_one_way && !is_straight; ++i) {
+        const float *p = view->positions + 3 * i;
+        const double at =
+            normal[0] * (double)p[0] + normal[1] * (double)p[1] + normal[2] * (double)p[2];
+        low = fmin(low, at);
+        high = fmax(high, at);
+    }
+    if (is_straight || high - low > SLANTED * longest) {
+        memset(normal, 0, 3 * sizeof *normal);
+    }
+}
+
 /* Centroid of the surface. Returns 1 if the surface is open. */
 static int find_center(const burnish_mesh_view *view, double center[3]) {
-    double sum[3] = {0}, vector[3] = {0}, total = 0;
+    double sum[3] = {0}, vector[3] = {0}, normal[3], total = 0;
     for (size_t t = 0; t < view->triangle_count; ++t) {
         const uint32_t *corner = view->indices + 3 * t;
-        const float *a = view->positions + 3 * (size_t)corner[0];
-        const float *b = view->positions + 3 * (size_t)corner[1];
-        const float *c = view->positions + 3 * (size_t)corner[2];
-        double u[3], v[3];
-        for (int k = 0; k < 3; ++k) {
-            u[k] = (double)b[k] - (double)a[k];
-            v[k] = (double)c[k] - (double)a[k];
-        }
-        const double x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2];
-        const double z = u[0] * v[1] - u[1] * v[0], area = sqrt(x * x + y * y + z * z);
+        const double area = find_area(view, t, normal);
         total += area;
-        vector[0] += x;
-        vector[1] += y;
-        vector[2] += z;
-        for (int k = 0; k < 3; ++k) {
-            sum[k] += area * ((double)a[k] + (double)b[k] + (double)c[k]) / 3;
+        for (size_t k = 0; k < 3; ++k) {
+            vector[k] += normal[k];
+            sum[k] += area *
+                      ((double)view->positions[3 * (size_t)corner[0] + k] +
+                       (double)view->positions[3 * (size_t)corner[1] + k] +
+                       (double)view->positions[3 * (size_t)corner[2] + k]) /
+                      3;
         }
     }
     for (int k = 0; k < 3; ++k) {
         center[k] = total > 0 ? sum[k] / total
                               : ((double)view->bounds_min[k] + (double)view->bounds_max[k]) / 2;
     }
-    return sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]) >
-           OPEN_SHARE * total;
+    return length_of(vector) > OPEN_SHARE * total;
 }
 
 /* Distance from the centre to the edge of the contact area, in each direction.
@@ -118,6 +169,44 @@ static int find_flat_axis(const burnish_mesh *mesh) {
     return extent <= FLAT * ((double)high[long_axis] - (double)low[long_axis]) ? 1 + thin : 0;
 }
 
+/* Clouds are terrain or buildings if they are lower along Z than this share of their other extents,
+ * but not drawings in the plane of X and Y;
+ * their coordinates are geographic, in metres or feet, if they are farther from the origin than this,
+ * and than so many times their extents. */
+#define TERRAIN 0.3
+#define GEOGRAPHIC 10000
+#define GEOGRAPHIC_TIMES 4
+
+/* Whether nearly all points are in what a depth camera sees from 0, 0, 0 along +Z: at most 37 degrees
+ * to the sides, 31 up and down. */
+static int are_before_camera(const burnish_mesh_view *view) {
+    size_t inside = 0;
+    for (size_t i = 0; i < view->vertex_count; ++i) {
+        const float *p = view->positions + 3 * i;
+        const double z = view->origin[2] + (double)p[2];
+        inside += fabs(view->origin[0] + (double)p[0]) < 0.75 * z &&
+                  fabs(view->origin[1] + (double)p[1]) < 0.6 * z;
+    }
+    return inside * 100 >= view->vertex_count * 99;
+}
+
+static const char *why_cloud_is_other(const burnish_mesh_view *view, int may_be_camera) {
+    double extents[3];
+    int are_far = 1;
+    for (int k = 0; k < 3; ++k) {
+        const double low = (double)view->bounds_min[k], high = (double)view->bounds_max[k];
+        const double away = fabs(view->origin[k] + (low + high) / 2);
+        extents[k] = high - low - 2 * (double)view->point_radius;
+        are_far &= k == 2 || (away > GEOGRAPHIC && away > GEOGRAPHIC_TIMES * extents[k]);
+    }
+    const double side = fmin(extents[0], extents[1]);
+    const int is_low = extents[2] < TERRAIN * side && extents[2] > FLAT * side;
+    return are_far                                    ? "geographic"
+           : may_be_camera && are_before_camera(view) ? "camera"
+           : is_low                                   ? "terrain"
+                                                      : NULL;
+}
+
 render_stance render_find_stance(const burnish_mesh *mesh) {
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     const burnish_mesh_info *info = burnish_mesh_get_info(mesh);
@@ -127,9 +216,17 @@ render_stance render_find_stance(const burnish_mesh *mesh) {
     double center[3], width;
     const int has_faces = info->point_count + info->line_count == 0;
     stance.flat_axis = has_faces ? find_flat_axis(mesh) : 0;
+    if (has_faces && !stance.flat_axis) {
+        find_slant(view, stance.slant);
+    }
     const int usual = view->up_axis[1] > 0.5F ? 1 : view->up_axis[2] > 0.5F ? 2 : 0;
     const int is_doubted = is_stl || format == BURNISH_FORMAT_OBJ || format == BURNISH_FORMAT_PLY ||
-                           format == BURNISH_FORMAT_OFF || format == BURNISH_FORMAT_ARRAYS;
+                           format == BURNISH_FORMAT_OFF || format == BURNISH_FORMAT_PCD ||
+                           format == BURNISH_FORMAT_ARRAYS;
+    if (is_doubted && usual == 1 && info->point_count > 0) {
+        stance.reason = why_cloud_is_other(view, format == BURNISH_FORMAT_PCD);
+        stance.other = 2;
+    }
     if (!is_doubted || usual == 0 || !has_faces) {
         return stance;
     }
@@ -141,8 +238,9 @@ render_stance render_find_stance(const burnish_mesh *mesh) {
     const double doubted = is_stl ? DOUBTED_STL : is_open ? -DOUBTED : DOUBTED;
     const double here = stance.tipping[stance.usual];
     const double believed = is_stl ? BELIEVED_STL : here < FALLEN ? BELIEVED_FALLEN : BELIEVED;
-    stance.is_other =
-        !stance.flat_axis && here < doubted && stance.tipping[stance.other] >= believed;
+    if (!stance.flat_axis && here < doubted && stance.tipping[stance.other] >= believed) {
+        stance.reason = "stability";
+    }
     return stance;
 }
 
@@ -176,6 +274,7 @@ int render_stands(const burnish_mesh *mesh, const double up[3]) {
 
 void render_set_stance(const burnish_mesh *mesh, render_camera_settings *camera) {
     const render_stance stance = render_find_stance(mesh);
-    camera->stands_otherwise = camera->up == UP_AUTO && stance.is_other;
+    camera->stands_otherwise = camera->up == UP_AUTO ? stance.reason : NULL;
     camera->flat_axis = stance.flat_axis;
+    memcpy(camera->slant, stance.slant, sizeof camera->slant);
 }

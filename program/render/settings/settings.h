@@ -56,9 +56,12 @@ typedef enum render_projection {
 } render_projection;
 
 typedef struct render_camera_settings {
-    int up;               /* render_up */
-    int stands_otherwise; /* 1: UP_AUTO has chosen the other axis than the format's */
-    int flat_axis;        /* 1 + the axis on which the object has no extent; 0: none */
+    int up; /* render_up */
+    const char
+        *stands_otherwise; /* why UP_AUTO has chosen the other axis than the format's; NULL: it
+                                     has not */
+    int flat_axis;         /* 1 + the axis on which the object has no extent; 0: none */
+    double slant[3];       /* the normal of a sheet in a slanted plane, or 0, 0, 0 */
     cli_vector direction, position, focal_point, view_up;
     const char *own; /* name or number of a camera of the input; NULL: none */
     cli_real azimuth, elevation, view_angle, zoom, margin;

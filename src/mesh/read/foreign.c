@@ -23,8 +23,7 @@ static const foreign_row rows[] = {
     {"DBRep_DrawableShape", 0, "a BREP file"},
     {"CASCADE Topology", 0, "a BREP file"},
     {"# vtk DataFile", 0, "a VTK file"},
-    {"# .PCD", 0, "a PCD point cloud"},
-    {"LASF", 0, "a LAS point cloud"},
+    {"ncols", 0, "an ESRI ASCII grid"},
     {"ASTM-E57", 0, "an E57 point cloud"},
     {"xof 0", 0, "a DirectX .x file"},
     {"LWO2", 8, "a LightWave object"},
@@ -107,12 +106,11 @@ static const char *describe_xml(const uint8_t *bytes, size_t size) {
 static const char *describe_extension(const char *name) {
     static const struct {
         const char *extension, *what;
-    } extensions[] = {{".igs", "an IGES file"},      {".iges", "an IGES file"},
-                      {".3ds", "a 3DS file"},        {".dxf", "a DXF drawing"},
-                      {".stp", "a STEP file"},       {".step", "a STEP file"},
-                      {".max", "a 3ds Max file"},    {".c4d", "a Cinema 4D file"},
-                      {".skp", "a SketchUp file"},   {".xyz", "an XYZ point cloud"},
-                      {".pts", "a PTS point cloud"}, {".scad", "an OpenSCAD program"}};
+    } extensions[] = {{".igs", "an IGES file"},    {".iges", "an IGES file"},
+                      {".3ds", "a 3DS file"},      {".dxf", "a DXF drawing"},
+                      {".stp", "a STEP file"},     {".step", "a STEP file"},
+                      {".max", "a 3ds Max file"},  {".c4d", "a Cinema 4D file"},
+                      {".skp", "a SketchUp file"}, {".scad", "an OpenSCAD program"}};
     const size_t length = name ? strlen(name) : 0;
     for (size_t i = 0; i < sizeof extensions / sizeof *extensions; ++i) {
         const size_t size = strlen(extensions[i].extension);

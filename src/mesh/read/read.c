@@ -83,9 +83,9 @@ burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const cha
             most = votes > most ? votes : most;
         }
     }
-    const int is_brace =
-        most == 1 && guess == BURNISH_FORMAT_GLTF; /* many texts begin with a brace */
-    return most > 0 && !(is_brace && named != BURNISH_FORMAT_AUTO) ? guess : named;
+    /* many texts begin with a brace, or are lines of numbers */
+    const int is_weak = most == 1 && (guess == BURNISH_FORMAT_GLTF || guess == BURNISH_FORMAT_XYZ);
+    return most > 0 && !(is_weak && named != BURNISH_FORMAT_AUTO) ? guess : named;
 }
 
 /* A binary STL is recognised by its size, which is unknown for a stream. Here it is recognised by

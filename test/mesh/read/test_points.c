@@ -31,15 +31,17 @@ static void test_sizes(void) {
 
 enum { SIDE = 64 };
 
-/* A square lattice of step 1/64 in z = 0, with normals or without. The caller frees it. */
-static char *make_lattice(int has_normals) {
+/* A square lattice of step 1/64 in z = 0, each point so many times, with normals or without. The
+ * caller frees it. */
+static char *make_lattice(int copies, int has_normals) {
     file_bytes text = {0};
     say(&text,
         "ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\nproperty float y\n"
         "property float z\n%send_header\n",
-        SIDE * SIDE,
+        copies * SIDE * SIDE,
         has_normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "");
-    for (int i = 0; i < SIDE * SIDE; ++i) {
+    for (int k = 0; k < copies * SIDE * SIDE; ++k) {
+        const int i = k / copies;
         say(&text, "%g %g 0%s\n", (double)(i % SIDE) / 64, (double)(i / SIDE) / 64,
             has_normals ? " 0 3 -4" : "");
     }
@@ -48,12 +50,13 @@ static char *make_lattice(int has_normals) {
 }
 
 /* The 6th nearest point of a lattice is sqrt(2) steps away: 1.2 times that is the radius. Normals
- * are the file's, the plane's or none. Threads change nothing. */
+ * are the file's, the plane's or none. Threads and copies of the points change nothing. */
 static void test_density(void) {
     static const float file[3] = {0, 0.6f, -0.8f};
     burnish_load_options options = burnish_load_options_default();
-    for (int has_normals = 0; has_normals < 2; ++has_normals) {
-        char *text = make_lattice(has_normals);
+    for (int form = 0; form < 4; ++form) {
+        const int has_normals = form % 2, copies = form < 2 ? 1 : 9;
+        char *text = make_lattice(copies, has_normals);
         burnish_mesh *meshes[3] = {NULL};
         for (int i = 0; i < 3; ++i) {
             options.threads = 1 + 3 * i;
@@ -61,7 +64,7 @@ static void test_density(void) {
             CHECK1(meshes[0] && same_meshes(meshes[0], meshes[i]));
         }
         const burnish_mesh_view *view = meshes[0] ? burnish_mesh_get_view(meshes[0]) : NULL;
-        if (CHECK1(view && view->vertex_count == SIDE * SIDE)) {
+        if (CHECK1(view && view->vertex_count == (size_t)copies * SIDE * SIDE)) {
             const double error = (double)view->point_radius * 64 / (1.2 * 1.41421356) - 1;
             CHECK(error > -1e-6 && error < 1e-6, "%g", error);
             size_t wrong = 0;
@@ -78,7 +81,7 @@ static void test_density(void) {
         free(text);
     }
     options.normals = BURNISH_NORMALS_FILE;
-    char *text = make_lattice(0);
+    char *text = make_lattice(1, 0);
     OWNED_MESH *mesh = load("a.ply", text, &options);
     CHECK1(mesh && burnish_mesh_get_view(mesh)->normals[2] == 0);
     free(text);

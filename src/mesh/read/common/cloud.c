@@ -1,6 +1,7 @@
 #include "mesh/read/common/cloud.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/vec3.h"
 #include "mesh/data/mesh.h"
@@ -103,10 +104,9 @@ static size_t cell_of(const grid *g, const float *p) {
            cell_along(g, 0, (double)p[0]);
 }
 
-/* About as many cells as points, all cubes of one size. */
-static void size_grid(grid *g) {
+/* About as many cells as different positions, all cubes of one size. */
+static void size_grid(grid *g, size_t count) {
     const burnish_box *box = &g->cloud->inner;
-    const size_t count = g->cloud->count;
     const double most = count < CELLS_MOST ? (double)count : CELLS_MOST;
     const double longest = burnish_box_longest_side(box);
     double along = 1; /* cells along the longest side: doubled while there are few enough */
@@ -151,21 +151,31 @@ static double square_distance(const float *a, const float *b) {
     return burnish_vec3_dot(d, d);
 }
 
-/* Squared distances to the nearest other positions, ascending. */
+/* Squared distances to the nearest other positions, each counted once, ascending. */
 typedef struct nearest {
     int count;
+    size_t copies; /* points at the position itself */
     double squares[NEIGHBORS];
+    const float *positions[NEIGHBORS];
 } nearest;
 
-static void add_neighbor(nearest *found, double square) {
+static void add_neighbor(nearest *found, double square, const float *p) {
+    found->copies += square == 0;
     if (square == 0 || (found->count == NEIGHBORS && square >= found->squares[NEIGHBORS - 1])) {
         return;
+    }
+    for (int i = 0; i < found->count; ++i) {
+        if (found->squares[i] == square && memcmp(found->positions[i], p, 3 * sizeof *p) == 0) {
+            return;
+        }
     }
     int at = found->count < NEIGHBORS ? found->count++ : NEIGHBORS - 1;
     for (; at > 0 && found->squares[at - 1] > square; --at) {
         found->squares[at] = found->squares[at - 1];
+        found->positions[at] = found->positions[at - 1];
     }
     found->squares[at] = square;
+    found->positions[at] = p;
 }
 
 /* The nearest other positions in the 27 cells around a point. */
@@ -185,8 +195,8 @@ static nearest find_nearest(const grid *g, const float *p) {
                                        ? g->first[cell + 1]
                                        : g->first[cell] + PER_CELL;
                 for (size_t i = g->first[cell]; i < end; ++i) {
-                    add_neighbor(&found,
-                                 square_distance(p, g->cloud->positions + 3 * (size_t)g->order[i]));
+                    const float *other = g->cloud->positions + 3 * (size_t)g->order[i];
+                    add_neighbor(&found, square_distance(p, other), other);
                 }
             }
         }
@@ -236,28 +246,46 @@ static burnish_status drop_strays(burnish_cloud *cloud, const grid *g, burnish_m
     return memory->status;
 }
 
+/* Measures the cloud by a sample of it. Returns of how many equal points a position consists. */
+static size_t measure_sample(burnish_cloud *cloud, const grid *g) {
+    const size_t step = cloud->count / SAMPLES + 1;
+    double found[SAMPLES], copies[SAMPLES];
+    size_t samples = 0, all = 0;
+    for (size_t i = 0; i < cloud->count && all < SAMPLES; i += step) {
+        const nearest near = find_nearest(g, cloud->positions + 3 * i);
+        copies[all++] = (double)near.copies;
+        if (near.count > 0) {
+            found[samples++] = near.squares[near.count - 1];
+        }
+    }
+    qsort(found, samples, sizeof *found, compare_doubles);
+    qsort(copies, all, sizeof *copies, compare_doubles);
+    cloud->spacing = samples > 0 ? __builtin_sqrt(found[samples / 2]) : 0;
+    cloud->wide = samples > 0 ? __builtin_sqrt(found[samples * 3 / 4]) : 0;
+    return (size_t)copies[all / 2];
+}
+
 burnish_status burnish_cloud_measure(burnish_cloud *cloud, burnish_memory *memory) {
     grid g = {.cloud = cloud};
-    double found[SAMPLES];
-    size_t samples = 0;
     cloud->spacing = cloud->wide = 0;
     cloud->order = NULL;
     if (find_inner(cloud, memory) != BURNISH_STATUS_OK ||
         !(burnish_box_longest_side(&cloud->inner) > 0)) {
         return memory->status;
     }
-    size_grid(&g);
+    size_grid(&g, cloud->count);
     if (fill_grid(&g, memory) == BURNISH_STATUS_OK) {
-        const size_t step = cloud->count / SAMPLES + 1;
-        for (size_t i = 0; i < cloud->count && samples < SAMPLES; i += step) {
-            const nearest near = find_nearest(&g, cloud->positions + 3 * i);
-            if (near.count > 0) {
-                found[samples++] = near.squares[near.count - 1];
+        const size_t copies = measure_sample(cloud, &g);
+        if (copies > 1) {
+            burnish_release(memory->context, g.first);
+            burnish_release(memory->context, g.order);
+            size_grid(&g, cloud->count / copies + 1);
+            if (fill_grid(&g, memory) == BURNISH_STATUS_OK) {
+                measure_sample(cloud, &g);
             }
         }
-        qsort(found, samples, sizeof *found, compare_doubles);
-        cloud->spacing = samples > 0 ? __builtin_sqrt(found[samples / 2]) : 0;
-        cloud->wide = samples > 0 ? __builtin_sqrt(found[samples * 3 / 4]) : 0;
+    }
+    if (memory->status == BURNISH_STATUS_OK) {
         drop_strays(cloud, &g, memory);
     }
     burnish_release(memory->context, g.first);

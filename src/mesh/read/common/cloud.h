@@ -12,7 +12,7 @@ typedef struct burnish_cloud {
     size_t count;           /* > 0 */
     burnish_box inner;
     size_t outside;  /* points outside the inner box */
-    double spacing;  /* median distance to the 6th nearest point, or to the farthest of fewer */
+    double spacing;  /* median distance to the 6th nearest position, or to the farthest of fewer */
     double wide;     /* the same, but three quarters are below it; 0: no two points are near */
     uint32_t *order; /* the points cell by cell of a grid, the caller's to release; NULL if spacing
                         is 0 */

@@ -57,7 +57,8 @@ void burnish_mark_damage(burnish_reader *reader) {
 void burnish_drop_points(burnish_reader *reader) {
     burnish_mesh_data *mesh = reader->mesh;
     const size_t count = mesh->streams[BURNISH_POSITION].count;
-    for (int k = BURNISH_ATTRIBUTE_COUNT - 1; k >= 0 && reader->damage.count > 0; --k) {
+    const int may_lack = reader->may_lack || reader->damage.count > 0;
+    for (int k = BURNISH_ATTRIBUTE_COUNT - 1; k >= 0 && may_lack; --k) {
         burnish_stream *stream = &mesh->streams[k];
         const size_t size = burnish_attribute_size((burnish_attribute)k);
         char *items = stream->items, *to = items;

@@ -285,8 +285,10 @@ burnish_status burnish_make_points(burnish_reader *reader, const burnish_segment
     burnish_mesh_data *mesh = reader->mesh;
     if (count == 0) {
         burnish_drop_points(reader);
-        return mesh->streams[BURNISH_POSITION].count > 0 ? make_cloud(reader)
-                                                         : BURNISH_STATUS_FORMAT;
+        return mesh->streams[BURNISH_POSITION].count > 0
+                   ? make_cloud(reader)
+                   : burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
+                                         "no point has finite coordinates; export them again");
     }
     if (reader->damage.count > 0) {
         burnish_fill_positions(mesh);

@@ -43,6 +43,7 @@ typedef struct burnish_reader {
     int has_warned; /* 1: a streamed input has a warning, and must be read whole to report it */
     burnish_warning_group damage; /* values and faces that are left out: common/damage.h */
     burnish_warning_group odd;    /* numbers that are accepted in an unusual form */
+    int may_lack;                 /* 1: points that are not finite are missing, no damage */
     int has_bad_faces;            /* some of the damage is in faces */
     const uint8_t *counted;       /* lines are counted up to here: NULL before the first */
     size_t line;

@@ -61,7 +61,7 @@ static burnish_status read_vertices(burnish_ply_state *ply, burnish_ply_rows *ro
         burnish_reader_rows(ply->reader, (size_t)(*at - ply->reader->input->bytes), rows->row_size,
                             count, burnish_ply_convert_vertices, rows);
     const size_t odd = atomic_load(&rows->odd);
-    if (status == BURNISH_STATUS_OK && odd < count) {
+    if (status == BURNISH_STATUS_OK && odd < count && !ply->header.may_lack) {
         note_bad_vertices(ply, rows, *at, odd);
     }
     *at += size;
@@ -138,6 +138,11 @@ static burnish_status read_triangles(burnish_ply_state *ply, burnish_ply_rows *r
 
 /* ---- Elements ---- */
 
+/* Whether S is a quantity alone. */
+static int is_quantity(const burnish_ply_state *ply) {
+    return ply->reader->input->options->scalar_property || ply->header.tint;
+}
+
 /* The layout of a row: its least size, the offsets of its columns if all lists have 3 items, and
  * how many lists there are. */
 static size_t describe_rows(const burnish_ply_state *ply, burnish_ply_rows *rows, size_t *least) {
@@ -157,7 +162,7 @@ static size_t describe_rows(const burnish_ply_state *ply, burnish_ply_rows *rows
             ++lists;
         } else if (property->role < BURNISH_PLY_ROLE_COUNT) {
             rows->columns[property->role] = (burnish_ply_column){rows->row_size, property->type};
-            if (property->role == BURNISH_PLY_S && ply->reader->input->options->scalar_property) {
+            if (property->role == BURNISH_PLY_S && is_quantity(ply)) {
                 rows->columns[BURNISH_PLY_T] = rows->columns[BURNISH_PLY_S];
             }
         }
@@ -183,7 +188,7 @@ static burnish_status check_count(const burnish_ply_state *ply, size_t left, siz
                                      burnish_token_quote(element->name).text,
                                      (unsigned long long)element->count, (unsigned long long)room);
     } else if (element->kind == BURNISH_PLY_ELEMENT_VERTEX &&
-               element->count > BURNISH_VALUE_LIMIT) {
+               element->count > BURNISH_VALUE_LIMIT && !ply->header.is_open) {
         status = burnish_reader_fail(reader, BURNISH_STATUS_LIMIT, element->at,
                                      "%llu vertices are more than %zu; split or simplify the mesh",
                                      (unsigned long long)element->count, BURNISH_VALUE_LIMIT);
@@ -269,11 +274,14 @@ static burnish_status read_element(burnish_ply_state *ply, const uint8_t **at) {
     const int is_ascii = ply->header.encoding == BURNISH_PLY_ASCII;
     burnish_ply_rows rows = {.big_endian = ply->header.encoding == BURNISH_PLY_BIG_ENDIAN,
                              .vertex_count = ply->vertex_count,
+                             .scale = ply->header.scale,
+                             .offset = ply->header.offset,
                              .mesh = ply->reader->mesh};
     size_t least;
     const size_t lists = describe_rows(ply, &rows, &least);
     burnish_status status = check_count(ply, left, least);
-    if (status == BURNISH_STATUS_OK && element->kind == BURNISH_PLY_ELEMENT_VERTEX) {
+    if (status == BURNISH_STATUS_OK && element->kind == BURNISH_PLY_ELEMENT_VERTEX &&
+        !ply->header.is_open) {
         status = burnish_budget_check(ply->reader, element->count, 0);
     }
     if (status != BURNISH_STATUS_OK || least == 0 || element->count == 0) {
@@ -290,6 +298,9 @@ static burnish_status read_element(burnish_ply_state *ply, const uint8_t **at) {
         }
         if (!ply->keeps_coordinates || ply->takes_face_coordinates) {
             ply->types[BURNISH_PLY_S] = BURNISH_PLY_NONE;
+        }
+        for (int i = 0; i < 3 && ply->types[BURNISH_PLY_PACKED] != BURNISH_PLY_NONE; ++i) {
+            ply->types[BURNISH_PLY_RED + i] = BURNISH_PLY_UINT8;
         }
     }
     ply->takes_face_colors =
@@ -376,7 +387,7 @@ static burnish_status read_elements(burnish_ply_state *ply, size_t *left) {
     for (size_t i = 0; i < ply->header.element_count && status == BURNISH_STATUS_OK; ++i) {
         ply->element = &ply->header.elements[i];
         if (ply->header.encoding == BURNISH_PLY_ASCII && ply->element->count > 0 &&
-            ply->element->property_count > 0 && !first_line_is_row(ply, at)) {
+            ply->element->property_count > 0 && !ply->by_lines && !first_line_is_row(ply, at)) {
             ply->is_odd = 1;
         }
         status = read_element(ply, &at);
@@ -475,14 +486,16 @@ static burnish_status read_body(burnish_ply_state *ply) {
     const burnish_ply_header *header = &ply->header;
     int has_faces = 0;
     ply->keeps_coordinates =
-        burnish_reader_keeps_coordinates(ply->reader, header->texture_count > 0);
+        burnish_reader_keeps_coordinates(ply->reader, header->texture_count > 0) || header->tint;
+    ply->by_lines = header->is_open;
+    ply->reader->may_lack = header->may_lack;
     ply->takes_face_coordinates = ply->keeps_coordinates && header->has_face_coordinates &&
                                   !ply->reader->input->options->scalar_property;
     ply->takes_textures = ply->takes_face_coordinates && header->texture_count > 0;
     for (size_t i = 0; i < ply->header.element_count; ++i) {
         const burnish_ply_element *element = &ply->header.elements[i];
         has_faces |= element->count > 0 && element->kind > BURNISH_PLY_ELEMENT_VERTEX;
-        if (element->kind == BURNISH_PLY_ELEMENT_VERTEX) {
+        if (element->kind == BURNISH_PLY_ELEMENT_VERTEX && !header->is_open) {
             ply->vertex_count = (size_t)element->count;
         }
     }
@@ -507,13 +520,17 @@ static burnish_status read_body(burnish_ply_state *ply) {
         status = read_otherwise(ply, status, &left);
     }
     const int is_preview = ply->reader->mesh->thinning > 1;
+    if (header->is_open) {
+        ply->vertex_count = ply->reader->mesh->streams[BURNISH_POSITION].count;
+    }
     if (status == BURNISH_STATUS_OK && ply->step > 1) {
         burnish_thinning_note(ply->reader, ply->vertex_count, has_faces ? "vertices" : "points");
     }
     if (status == BURNISH_STATUS_OK && ply->reader->mesh->triangle_count == 0 &&
         (is_preview || !has_faces) && ply->vertex_count > 0) {
         check_alpha(ply);
-        status = burnish_make_points(ply->reader, NULL, 0);
+        status = burnish_ply_tint_points(ply);
+        status = status == BURNISH_STATUS_OK ? burnish_make_points(ply->reader, NULL, 0) : status;
     } else if (status == BURNISH_STATUS_OK && ply->reader->mesh->triangle_count == 0) {
         status =
             burnish_reader_fail(ply->reader, BURNISH_STATUS_FORMAT, NULL,
@@ -534,10 +551,12 @@ static void warn_undrawn(const burnish_ply_state *ply) {
     }
 }
 
-static burnish_status ply_read(burnish_reader *reader) {
-    burnish_ply_state ply = {.reader = reader};
-    burnish_status status = burnish_ply_read_header(reader, &ply.header);
-    ply.header_odd = reader->odd;
+burnish_status burnish_ply_read_described(burnish_reader *reader, burnish_ply_header *header,
+                                          burnish_status status) {
+    burnish_ply_state ply = {.reader = reader, .header = *header, .header_odd = reader->odd};
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_ply_check_header(reader, &ply.header);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = read_body(&ply);
     }
@@ -554,6 +573,11 @@ static burnish_status ply_read(burnish_reader *reader) {
     }
     burnish_ply_destroy_header(reader->mesh->memory.context, &ply.header);
     return status;
+}
+
+static burnish_status ply_read(burnish_reader *reader) {
+    burnish_ply_header header;
+    return burnish_ply_read_described(reader, &header, burnish_ply_read_header(reader, &header));
 }
 
 /* Certain by its first line. */

@@ -11,23 +11,34 @@ static inline uint32_t load_u32(const uint8_t *from, int big_endian) {
     return big_endian == (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__) ? bits : __builtin_bswap32(bits);
 }
 
+/* A value of a coordinate's column. */
+static double load_coordinate(const burnish_ply_rows *rows, const uint8_t *from, size_t axis) {
+    const double value =
+        burnish_ply_load(from, rows->columns[BURNISH_PLY_X + axis].type, rows->big_endian);
+    return rows->scale[axis] != 0 ? value * rows->scale[axis] + rows->offset[axis] : value;
+}
+
 /* Values of one column of `count` rows, less an origin, as floats; returns the first row whose
  * value is not finite, `count` for none. What is not finite becomes 0. */
 static size_t convert_floats(const burnish_ply_rows *rows, const uint8_t *bytes, size_t count,
-                             burnish_ply_column from, double origin, float *to, size_t stride) {
+                             const burnish_ply_column *column, double origin, float *to,
+                             size_t stride) {
     size_t odd = count;
-    bytes += from.offset;
+    bytes += column->offset;
     for (size_t row = 0; row < count; ++row, bytes += rows->row_size, to += stride) {
         int finite;
-        if (from.type == BURNISH_PLY_FLOAT32 && origin == 0) {
+        if (column->type == BURNISH_PLY_FLOAT32 && origin == 0) {
             uint32_t bits = load_u32(bytes, rows->big_endian);
             finite = burnish_is_finite_bits(bits);
             bits = finite ? bits : 0;
             memcpy(to, &bits, sizeof bits);
         } else {
+            const size_t axis = (size_t)(column - rows->columns);
             *to = 0;
-            finite =
-                burnish_place(burnish_ply_load(bytes, from.type, rows->big_endian), origin, to);
+            finite = burnish_place(axis <= BURNISH_PLY_Z
+                                       ? load_coordinate(rows, bytes, axis)
+                                       : burnish_ply_load(bytes, column->type, rows->big_endian),
+                                   origin, to);
         }
         odd = !finite && row < odd ? row : odd;
     }
@@ -37,11 +48,11 @@ static size_t convert_floats(const burnish_ply_rows *rows, const uint8_t *bytes,
 /* Coordinates that are not finite become NaN. */
 static void mark_odd(const burnish_ply_rows *rows, const uint8_t *bytes, size_t count, size_t axis,
                      float *to) {
-    const burnish_ply_column from = rows->columns[BURNISH_PLY_X + axis];
+    const size_t offset = rows->columns[BURNISH_PLY_X + axis].offset;
     for (size_t row = 0; row < count; ++row, bytes += rows->row_size, to += 3) {
-        const double value = burnish_ply_load(bytes + from.offset, from.type, rows->big_endian);
         float unused;
-        if (!burnish_place(value, rows->mesh->origin[axis], &unused)) {
+        if (!burnish_place(load_coordinate(rows, bytes + offset, axis), rows->mesh->origin[axis],
+                           &unused)) {
             *to = __builtin_nanf("");
         }
     }
@@ -79,18 +90,18 @@ void burnish_ply_convert_vertices(void *user_data, const uint8_t *bytes, size_t 
         const size_t count = end - first < ROWS ? end - first : ROWS;
         for (size_t i = 0; i < 3; ++i) {
             const size_t odd =
-                convert_floats(rows, bytes, count, rows->columns[BURNISH_PLY_X + i],
+                convert_floats(rows, bytes, count, &rows->columns[BURNISH_PLY_X + i],
                                mesh->origin[i], burnish_positions(mesh) + 3 * first + i, 3);
             if (odd < count) {
                 mark_odd(rows, bytes, count, i, burnish_positions(mesh) + 3 * first + i);
                 burnish_lower_to(&rows->odd, first + odd);
             }
             if (mesh->streams[BURNISH_NORMAL].count > 0) {
-                convert_floats(rows, bytes, count, rows->columns[BURNISH_PLY_NX + i], 0,
+                convert_floats(rows, bytes, count, &rows->columns[BURNISH_PLY_NX + i], 0,
                                burnish_normals(mesh) + 3 * first + i, 3);
             }
             if (mesh->streams[BURNISH_TEXCOORD].count > 0 && i < 2) {
-                convert_floats(rows, bytes, count, rows->columns[BURNISH_PLY_S + i], 0,
+                convert_floats(rows, bytes, count, &rows->columns[BURNISH_PLY_S + i], 0,
                                (float *)mesh->streams[BURNISH_TEXCOORD].items + 2 * first + i, 2);
             }
         }

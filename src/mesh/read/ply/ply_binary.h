@@ -18,6 +18,7 @@ typedef struct burnish_ply_rows {
     burnish_ply_column columns[BURNISH_PLY_ROLE_COUNT];
     burnish_ply_column length, corners; /* of the one list, which has 3 items */
     size_t first_triangle, vertex_count;
+    const double *scale, *offset; /* of coordinates, as in burnish_ply_header */
     const burnish_mesh_data *mesh;
     atomic_size_t odd; /* the first row that is not as expected */
 } burnish_ply_rows;

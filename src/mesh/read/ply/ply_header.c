@@ -39,7 +39,7 @@ static burnish_ply_type type_of(burnish_token token) {
     return BURNISH_PLY_NONE;
 }
 
-static burnish_ply_role vertex_role(burnish_token name) {
+burnish_ply_role burnish_ply_role_of(burnish_token name) {
     static const char *const names[][3] = {[BURNISH_PLY_X] = {"x"},
                                            [BURNISH_PLY_Y] = {"y"},
                                            [BURNISH_PLY_Z] = {"z"},
@@ -64,10 +64,10 @@ static burnish_ply_role vertex_role(burnish_token name) {
 
 static burnish_ply_role role_of(burnish_ply_kind kind, int is_list, burnish_token name) {
     if (kind == BURNISH_PLY_ELEMENT_VERTEX && !is_list) {
-        return vertex_role(name);
+        return burnish_ply_role_of(name);
     }
     if (kind == BURNISH_PLY_ELEMENT_FACE && !is_list) {
-        const burnish_ply_role role = vertex_role(name);
+        const burnish_ply_role role = burnish_ply_role_of(name);
         return role >= BURNISH_PLY_RED && role <= BURNISH_PLY_ALPHA ? role
                : burnish_token_is_caseless(name, "texnumber")       ? BURNISH_PLY_TEXNUMBER
                                                                     : BURNISH_PLY_OTHER;
@@ -106,9 +106,41 @@ static burnish_status read_format(header_state *ply) {
     return BURNISH_STATUS_OK;
 }
 
+burnish_status burnish_ply_add_element(burnish_reader *reader, burnish_ply_header *header,
+                                       burnish_ply_element element) {
+    burnish_memory *memory = &reader->mesh->memory;
+    element.first_property = header->property_count;
+    header->elements = burnish_reserve(memory, header->elements, &header->element_capacity,
+                                       header->element_count + 1, sizeof element, "elements");
+    if (memory->status == BURNISH_STATUS_OK) {
+        header->elements[header->element_count++] = element;
+    }
+    return memory->status;
+}
+
+burnish_status burnish_ply_add_property(burnish_reader *reader, burnish_ply_header *header,
+                                        burnish_ply_property property) {
+    burnish_ply_element *element = &header->elements[header->element_count - 1];
+    const char *scalar = reader->input->options->scalar_property;
+    if (scalar && element->kind == BURNISH_PLY_ELEMENT_VERTEX &&
+        property.count_type == BURNISH_PLY_NONE &&
+        ((property.role >= BURNISH_PLY_S && property.role != BURNISH_PLY_PACKED) ||
+         burnish_token_is(property.name, scalar))) {
+        property.role = burnish_token_is(property.name, scalar) ? BURNISH_PLY_S : BURNISH_PLY_OTHER;
+    }
+    burnish_memory *memory = &reader->mesh->memory;
+    header->properties = burnish_reserve(memory, header->properties, &header->property_capacity,
+                                         header->property_count + 1, sizeof property, "properties");
+    if (memory->status == BURNISH_STATUS_OK) {
+        header->properties[header->property_count++] = property;
+        ++element->property_count;
+    }
+    return memory->status;
+}
+
 static burnish_status read_element(header_state *ply) {
     burnish_ply_header *header = ply->header;
-    burnish_ply_element element = {.first_property = header->property_count, .at = ply->lexer.next};
+    burnish_ply_element element = {.at = ply->lexer.next};
     burnish_token token = {0};
     int64_t count = -1;
     burnish_number_status number = BURNISH_NUMBER_GARBAGE;
@@ -132,13 +164,7 @@ static burnish_status read_element(header_state *ply) {
     } else if (burnish_token_is_caseless(element.name, "tristrips")) {
         element.kind = BURNISH_PLY_ELEMENT_STRIPS;
     }
-    burnish_memory *memory = &ply->reader->mesh->memory;
-    header->elements = burnish_reserve(memory, header->elements, &header->element_capacity,
-                                       header->element_count + 1, sizeof element, "elements");
-    if (memory->status == BURNISH_STATUS_OK) {
-        header->elements[header->element_count++] = element;
-    }
-    return memory->status;
+    return burnish_ply_add_element(ply->reader, header, element);
 }
 
 /* Something unusual, which is accepted. */
@@ -197,22 +223,10 @@ static burnish_status read_property(header_state *ply) {
     if (property.type == BURNISH_PLY_INT64 || property.type == BURNISH_PLY_UINT64) {
         note_odd(ply, type);
     }
-    const char *scalar = ply->reader->input->options->scalar_property;
-    if (scalar && element->kind == BURNISH_PLY_ELEMENT_VERTEX && !is_list &&
-        (property.role >= BURNISH_PLY_S || burnish_token_is(name, scalar))) {
-        property.role = burnish_token_is(name, scalar) ? BURNISH_PLY_S : BURNISH_PLY_OTHER;
-    }
     if (element->kind == BURNISH_PLY_ELEMENT_FACE && element->count > 0) {
         header->has_face_coordinates |= property.role == BURNISH_PLY_TEXCOORDS;
     }
-    burnish_memory *memory = &ply->reader->mesh->memory;
-    header->properties = burnish_reserve(memory, header->properties, &header->property_capacity,
-                                         header->property_count + 1, sizeof property, "properties");
-    if (memory->status == BURNISH_STATUS_OK) {
-        header->properties[header->property_count++] = property;
-        ++element->property_count;
-    }
-    return memory->status;
+    return burnish_ply_add_property(ply->reader, header, property);
 }
 
 /* comment TextureFile NAME */
@@ -303,8 +317,10 @@ static burnish_status fail_scalar(burnish_reader *reader, const burnish_ply_head
     size_t length = 0;
     for (size_t i = 0; i < element->property_count && length + 40 < sizeof names; ++i) {
         const burnish_ply_property *property = &header->properties[element->first_property + i];
-        length += (size_t)snprintf(names + length, sizeof names - length, "%s%.30s",
-                                   i > 0 ? ", " : "", burnish_token_quote(property->name).text);
+        if (property->name.size > 0) {
+            length += (size_t)snprintf(names + length, sizeof names - length, "%s%.30s",
+                                       i > 0 ? ", " : "", burnish_token_quote(property->name).text);
+        }
     }
     return burnish_reader_fail(
         reader, BURNISH_STATUS_FORMAT, element->at,
@@ -312,10 +328,9 @@ static burnish_status fail_scalar(burnish_reader *reader, const burnish_ply_head
         reader->input->options->scalar_property, names);
 }
 
-static burnish_status check_elements(header_state *ply) {
+burnish_status burnish_ply_check_header(burnish_reader *reader, burnish_ply_header *header) {
     const unsigned rgb = 1u << BURNISH_PLY_RED | 1u << BURNISH_PLY_GREEN | 1u << BURNISH_PLY_BLUE;
     const unsigned xyz = 1u << BURNISH_PLY_X | 1u << BURNISH_PLY_Y | 1u << BURNISH_PLY_Z;
-    burnish_ply_header *header = ply->header;
     int vertex_elements = 0;
     for (size_t i = 0; i < header->element_count; ++i) {
         const burnish_ply_element *element = &header->elements[i];
@@ -325,28 +340,29 @@ static burnish_status check_elements(header_state *ply) {
         header->has_face_colors |=
             element->kind == BURNISH_PLY_ELEMENT_FACE && element->count > 0 && (roles & rgb) == rgb;
         if (element->kind == BURNISH_PLY_ELEMENT_VERTEX && ++vertex_elements > 1) {
-            return burnish_reader_fail(ply->reader, BURNISH_STATUS_FORMAT, element->at,
+            return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, element->at,
                                        "a second vertex element; merge the two");
         }
         if (element->kind == BURNISH_PLY_ELEMENT_VERTEX && (roles & xyz) == xyz &&
-            ply->reader->input->options->scalar_property && !(roles & 1u << BURNISH_PLY_S)) {
-            return fail_scalar(ply->reader, header, element);
+            reader->input->options->scalar_property && !(roles & 1u << BURNISH_PLY_S)) {
+            return fail_scalar(reader, header, element);
         }
         if (element->kind == BURNISH_PLY_ELEMENT_VERTEX && (roles & xyz) != xyz) {
-            return burnish_reader_fail(
-                ply->reader, BURNISH_STATUS_FORMAT, element->at,
-                "element vertex has no scalar properties x, y and z; add them");
+            return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, element->at,
+                                       "element %s has no scalar properties x, y and z; add them",
+                                       burnish_token_quote(element->name).text);
         }
         if ((element->kind == BURNISH_PLY_ELEMENT_FACE ||
              element->kind == BURNISH_PLY_ELEMENT_STRIPS) &&
             element->count > 0 && !(roles & 1u << BURNISH_PLY_CORNERS)) {
-            return burnish_reader_fail(ply->reader, BURNISH_STATUS_FORMAT, element->at,
+            return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, element->at,
                                        "element %s has no list property vertex_indices; add it",
                                        burnish_token_quote(element->name).text);
         }
     }
     if (vertex_elements == 0) {
-        return FAIL(ply, "the header declares no element vertex; export the mesh again");
+        return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, header->body,
+                                   "the header declares no element vertex; export the mesh again");
     }
     return BURNISH_STATUS_OK;
 }
@@ -382,7 +398,7 @@ burnish_status burnish_ply_read_header(burnish_reader *reader, burnish_ply_heade
         return FAIL(&ply,
                     "the header has no format line; add \"format ascii 1.0\" or what the file is");
     }
-    return check_elements(&ply);
+    return BURNISH_STATUS_OK;
 }
 
 void burnish_ply_destroy_header(const burnish_context *context, burnish_ply_header *header) {

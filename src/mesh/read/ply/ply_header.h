@@ -44,6 +44,7 @@ typedef enum burnish_ply_role {
     BURNISH_PLY_ALPHA,
     BURNISH_PLY_S,
     BURNISH_PLY_T,
+    BURNISH_PLY_PACKED, /* of text: red, green and blue in the low bits of one number, or of a float */
     BURNISH_PLY_ROLE_COUNT,
     BURNISH_PLY_CORNERS,   /* vertex_indices of a face or of triangle strips */
     BURNISH_PLY_TEXCOORDS, /* texcoord of a face: u and v of each corner */
@@ -73,6 +74,13 @@ typedef struct burnish_ply_element {
     const uint8_t *at;                     /* its line in the header, for messages */
 } burnish_ply_element;
 
+/* What the role S of points without colours becomes, if it is not the option's property. */
+typedef enum burnish_ply_tint {
+    BURNISH_PLY_NO_TINT,
+    BURNISH_PLY_GREY,   /* from nearly the least value to nearly the highest */
+    BURNISH_PLY_CLASSES /* colours of the classes of LAS, 0 to 31 */
+} burnish_ply_tint;
+
 typedef struct burnish_ply_header {
     burnish_ply_encoding encoding;
     burnish_ply_element *elements;
@@ -84,14 +92,37 @@ typedef struct burnish_ply_header {
     size_t texture_count, texture_capacity;
     int has_vertex_colors, has_face_colors; /* red, green and blue */
     int has_face_coordinates;               /* texcoord */
+
+    /* Of readers of other formats, which describe their points as rows of one element. */
+    double scale[3], offset[3]; /* of binary coordinates; 0: as they are */
+    int is_open;                /* 1: each line is a row, up to the end of the file */
+    int may_lack;               /* 1: points that are not finite are missing, no damage */
+    burnish_ply_tint tint;
 } burnish_ply_header;
 
 /* Textures of one file; larger numbers mean no texture. */
 enum { BURNISH_PLY_TEXTURES_MAX = 4096 };
 
-/* Reads the header, and checks that it has one vertex element with x, y and z, and that every face
- * element has corners. The caller destroys the header, also on error. Errors: FORMAT, MEMORY. */
+/* Reads the header. The caller destroys it, also on error. Errors: FORMAT, MEMORY. */
 burnish_status burnish_ply_read_header(burnish_reader *reader, burnish_ply_header *header);
+
+/* The role of a vertex's property. */
+burnish_ply_role burnish_ply_role_of(burnish_token name);
+
+/* Adds an element, or a property to the last one. Errors: MEMORY. */
+burnish_status burnish_ply_add_element(burnish_reader *reader, burnish_ply_header *header,
+                                       burnish_ply_element element);
+burnish_status burnish_ply_add_property(burnish_reader *reader, burnish_ply_header *header,
+                                        burnish_ply_property property);
+
+/* If the status is OK, checks a header, which may be another reader's, and reads what it describes;
+ * then destroys it. Errors: as burnish_read. */
+burnish_status burnish_ply_read_described(burnish_reader *reader, burnish_ply_header *header,
+                                          burnish_status status);
+
+/* Checks that there is one vertex element with x, y and z, and that every face element has corners.
+ * Errors: FORMAT. */
+burnish_status burnish_ply_check_header(burnish_reader *reader, burnish_ply_header *header);
 void burnish_ply_destroy_header(const burnish_context *context, burnish_ply_header *header);
 
 #endif

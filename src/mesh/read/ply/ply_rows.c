@@ -6,6 +6,8 @@
  * values at the end of a line get defaults, and extra values are ignored. */
 #include "mesh/read/ply/ply_rows.h"
 
+#include <float.h>
+
 #include "mesh/read/common/local_origin.h"
 #include "mesh/read/io/parallel_text.h"
 #include "mesh/read/ply/ply_binary.h"
@@ -68,7 +70,14 @@ static int read_word(ply_parser *p, double *value) {
     burnish_token word;
     burnish_number_status number;
     if (!burnish_lexer_word_double(&p->lexer, &word, value, &number)) {
-        return fail_truncated(p);
+        const int is_new = p->bad_row != row_number(p);
+        if (!p->ply->header.is_open) {
+            return fail_truncated(p);
+        }
+        *value = __builtin_nan("");
+        p->bad_row = row_number(p);
+        return !is_new || burnish_chunk_pardon(p->chunk, 0, p->lexer.next,
+                                               "the line has fewer than 3 numbers");
     }
     if (number == BURNISH_NUMBER_NOT_FINITE || number == BURNISH_NUMBER_RANGE) {
         *value = __builtin_nan("");
@@ -195,6 +204,21 @@ static void write_color(const burnish_ply_type types[BURNISH_PLY_ROLE_COUNT],
         rgba[i] = type == BURNISH_PLY_NONE
                       ? 255
                       : burnish_ply_to_color(values[BURNISH_PLY_RED + i], type);
+    }
+}
+
+/* The colour in one number: its low 24 bits, or the bits of a float. */
+static void unpack_color(const ply_parser *p, double values[BURNISH_PLY_ROLE_COUNT]) {
+    const double packed = values[BURNISH_PLY_PACKED];
+    const int is_float = p->ply->types[BURNISH_PLY_PACKED] == BURNISH_PLY_FLOAT32 &&
+                         packed > -FLT_MAX && packed < 1; /* others are written as whole numbers */
+    uint32_t bits = packed >= 0 && packed <= UINT32_MAX ? (uint32_t)packed : 0xFFFFFF;
+    const float single = is_float ? (float)packed : 0;
+    if (is_float) {
+        memcpy(&bits, &single, sizeof bits);
+    }
+    for (int i = 0; i < 3; ++i) {
+        values[BURNISH_PLY_RED + i] = bits >> 8 * (2 - i) & 255;
     }
 }
 
@@ -395,7 +419,7 @@ static inline int read_column(ply_parser *p, burnish_ply_encoding encoding,
         *value = __builtin_nan("");
         const int is_new = p->bad_row != row_number(p);
         p->bad_row = row_number(p);
-        return !is_new ||
+        return !is_new || p->ply->header.may_lack ||
                burnish_chunk_pardon(
                    p->chunk, 0, HERE(p),
                    "vertex %llu: coordinate %c is not finite or beyond 3.4e38; repair the mesh",
@@ -456,6 +480,9 @@ static inline int read_row(ply_parser *p, burnish_ply_encoding encoding) {
         }
     }
     if (element->kind == BURNISH_PLY_ELEMENT_VERTEX) {
+        if (p->ply->types[BURNISH_PLY_PACKED] != BURNISH_PLY_NONE) {
+            unpack_color(p, values);
+        }
         append_vertex(p, values);
     } else if (element->kind != BURNISH_PLY_ELEMENT_OTHER) {
         append_face(p, encoding, values, &face);
@@ -469,7 +496,7 @@ static int read_line_row(ply_parser *p) {
     p->lexer.end = burnish_ply_line_end(first, text_end);
     p->is_short = 0;
     const int good = read_row(p, BURNISH_PLY_ASCII);
-    if (good && (p->is_short || !at_line_end(p))) {
+    if (good && p->bad_row != row_number(p) && (p->is_short || !at_line_end(p))) {
         burnish_chunk_note(p->chunk, FIELDS, first);
     }
     p->lexer.next = good ? p->lexer.end : p->lexer.next;
@@ -484,6 +511,11 @@ static inline void parse_rows(ply_parser *p, burnish_ply_encoding encoding) {
     while (chunk->rows < chunk->rows_left) {
         if (encoding == BURNISH_PLY_ASCII) {
             burnish_lexer_skip_blank_lines(&p->lexer);
+        }
+        if (p->ply->header.is_open && p->lexer.next < chunk->end &&
+            (*p->lexer.next == '#' || *p->lexer.next == '/')) {
+            burnish_lexer_rest(&p->lexer); /* a comment */
+            continue;
         }
         if (p->lexer.next >= chunk->end ||
             !(encoding == BURNISH_PLY_ASCII && p->ply->by_lines ? read_line_row(p)
@@ -534,7 +566,8 @@ static burnish_status ply_accept_rows(void *state, const burnish_chunk *chunk) {
         const burnish_chunk_event *event = &chunk->events[i];
         if (event->kind == FIELDS) {
             burnish_reader_note(ply->reader, &ply->fields, event->at,
-                                "the line has more or fewer values than the header says");
+                                "the line has more or fewer values than %s",
+                                ply->header.is_open ? "the first one" : "the header says");
         } else if (event->kind == FEW_CORNERS) {
             burnish_reader_note(ply->reader, &ply->few_corners, event->at,
                                 "a face with fewer than 3 corners was ignored");
@@ -554,7 +587,7 @@ burnish_status burnish_ply_read_rows(burnish_ply_state *ply, const uint8_t **at,
         .indexed = 1u << BURNISH_POSITION | ply->per_triangle};
     size_t missing = rows;
     burnish_status status = burnish_chunks_read(&grammar, ply, ply->reader, at, &missing);
-    if (status == BURNISH_STATUS_OK && missing > 0) {
+    if (status == BURNISH_STATUS_OK && missing > 0 && !ply->header.is_open) {
         status = burnish_reader_fail(
             ply->reader, BURNISH_STATUS_FORMAT, *at,
             "the file ends in element %s, row %llu of %llu; the file is truncated",

@@ -60,6 +60,11 @@ burnish_status burnish_ply_hide_comments(burnish_ply_state *ply, int *any);
 /* Restores the original input, after the body has been read. */
 void burnish_ply_show_comments(burnish_ply_state *ply);
 
+/* ---- ply_tint.c ---- */
+
+/* Gives points the colours of the header's tint, if S differs among them. Errors: MEMORY. */
+burnish_status burnish_ply_tint_points(const burnish_ply_state *ply);
+
 /* ---- ply_triangles.c ---- */
 
 /* Starts to use texture n of the header at a triangle; BURNISH_PLY_TEXTURES_MAX: no texture. */
