@@ -132,10 +132,11 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
 
 burnish_status cli_flag_plate(const cli_flag *flag, const char *text, void *target,
                               burnish_error *error) {
-    if (strcmp(text, "all") != 0) {
+    const int is_sheet = strcmp(text, "sheet") == 0;
+    if (!is_sheet && strcmp(text, "all") != 0) {
         return cli_flag_integer(flag, text, target, error);
     }
-    *(int *)target = 0;
+    *(int *)target = is_sheet ? CLI_PLATE_SHEET : 0;
     return BURNISH_STATUS_OK;
 }
 
@@ -149,7 +150,7 @@ burnish_load_options cli_load_options(const cli_input *input) {
     }
     options.animation = input->animation;
     options.variant = input->variant;
-    options.plate = input->plate;
+    options.plate = input->plate > 0 ? input->plate : 0;
     options.thumbnail = (burnish_thumbnail)input->thumbnail;
     options.ignore_referenced_files = input->no_libraries;
     options.point_size = input->point_size.given ? input->point_size.value : 0;

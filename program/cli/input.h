@@ -41,7 +41,7 @@ typedef struct cli_input {
     int tessellation, strict, no_textures, no_libraries;
     cli_real animation_time;
     const char *animation, *variant;
-    int plate;     /* 0: all */
+    int plate;     /* 0: all; CLI_PLATE_SHEET */
     int thumbnail; /* burnish_thumbnail */
     cli_real point_size;
     uint64_t max_triangles, max_input_bytes, max_texture_pixels;
@@ -75,7 +75,7 @@ extern const cli_word cli_input_formats[];
 extern const char cli_input_format_manual[];
 extern const cli_word cli_thumbnails[];
 cli_handler cli_flag_input_format;
-cli_handler cli_flag_plate;          /* int in [low, high], or "all" */
+cli_handler cli_flag_plate;          /* int in [low, high], "all", or "sheet" */
 cli_handler cli_flag_texture_pixels; /* uint64_t in [low, high], or "auto" */
 
 /* What the flags below need of the input; without a mesh, as if nothing were met. */
@@ -123,12 +123,15 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
               "(KHR_materials_variants). *burnish info* lists the names.",                         \
     .handler = cli_flag_text, .offset = offsetof(type, member.variant)
 
+enum { CLI_PLATE_SHEET = -1 };
+
 #define CLI_PLATE_FLAG(type, member)                                                               \
     .phases = CLI_PHASE_LOAD, .value_type = CLI_TYPE_INTEGER, .name = "plate", .value = "N",       \
     .help = "a plate of a print project", .default_text = "all", .low = 1, .high = 256,            \
     .manual =                                                                                      \
-        "Draws only plate _N_ of a slicer's project (3MF). By default all plates are drawn, "      \
-        "moved close together. *burnish info* lists them.",                                        \
+        "Draws only plate _N_ of a slicer's project (3MF). By default *all* plates are drawn, "    \
+        "moved close together. *sheet* draws one labelled picture per plate, in one scale. "       \
+        "*burnish info* lists them.",                                                              \
     .handler = cli_flag_plate, .offset = offsetof(type, member.plate)
 
 #define CLI_THUMBNAIL_FLAG(type, member)                                                           \

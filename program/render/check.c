@@ -25,7 +25,8 @@ static int is_same_file(const char *a, const char *b) {
 
 /* A flag that makes a sheet, or NULL. */
 static const char *sheet_flag(const render_settings *settings) {
-    return settings->picture.views.count > 1   ? "views"
+    return settings->input.load.plate < 0      ? "plate"
+           : settings->picture.views.count > 1 ? "views"
            : settings->shading.lobes.count > 1 ? "lobe"
                                                : NULL;
 }
@@ -322,6 +323,12 @@ static burnish_status choose_look(render_settings *settings, burnish_error *erro
 burnish_status render_check(render_settings *settings, burnish_error *error) {
     burnish_status status = cli_choose_isa(settings->job.isa_name, &settings->job.isa, error);
     status = status == BURNISH_STATUS_OK ? render_check_projection(settings, error) : status;
+    if (status == BURNISH_STATUS_OK && settings->input.load.plate < 0 &&
+        (settings->picture.views.count > 1 || settings->shading.lobes.count > 1 ||
+         (settings->input.name && is_standard(settings->input.name)))) {
+        status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--plate=sheet: draws one view and one lobe of a named file");
+    }
     find_size(&settings->picture);
     status = status == BURNISH_STATUS_OK ? choose_look(settings, error) : status;
     return status == BURNISH_STATUS_OK ? check_camera_flags(settings, error) : status;

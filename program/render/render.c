@@ -146,6 +146,9 @@ static burnish_status load_scene(render_result *result, burnish_error *error) {
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
+    if (settings->input.load.plate < 0) {
+        result->given = *settings;
+    }
     render_scene scene = {settings,          result->mesh,
                           result->options,   &result->environment,
                           &result->warnings, result->color_range};

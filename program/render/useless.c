@@ -91,7 +91,8 @@ cli_need render_environment_need(const render_settings *settings) {
 static size_t list_scene_needs(const render_settings *settings, cli_need *needs) {
     const render_camera_settings *camera = &settings->camera;
     const render_shading_settings *shading = &settings->shading;
-    const int is_sheet = settings->picture.views.count > 1 || shading->lobes.count > 1;
+    const int is_sheet = settings->picture.views.count > 1 || shading->lobes.count > 1 ||
+                         settings->input.load.plate < 0;
     const int is_parallel_anyway = camera->orthographic_height.given ||
                                    settings->picture.views.count > 0 ||
                                    camera->projection == PROJECTION_PARALLEL;
@@ -104,6 +105,8 @@ static size_t list_scene_needs(const render_settings *settings, cli_need *needs)
         {"columns", is_sheet || settings->picture.is_on_sheet,
          "only a sheet has cells; use several --views or lobes"},
         {"labels,no-labels,font", is_sheet, "only a sheet has cells; use several --views or lobes"},
+        {"labels,font", settings->input.load.plate >= 0,
+         "a sheet of plates has their names; omit the flag"},
         {"labels,font", !is_sheet || !settings->picture.no_labels,
          "--no-labels omits the labels; omit it"},
         {"same-scale", is_sheet || !is_parallel_anyway,

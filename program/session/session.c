@@ -320,6 +320,10 @@ static burnish_status set_loading(session *s, const char *name, session_options 
     if (status == BURNISH_STATUS_OK) {
         status = cli_refuse_foreign(s->settings.input.load.format, error);
     }
+    if (status == BURNISH_STATUS_OK && s->settings.input.load.plate < 0) {
+        status = cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                          "--plate: one picture at a time; give the number of a plate");
+    }
     if (status == BURNISH_STATUS_OK) {
         *options = render_load_options(&s->settings.input, s->settings.job.threads);
         options->context = s->context;

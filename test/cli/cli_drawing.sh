@@ -339,6 +339,32 @@ expect 2 'burnish: render: standard output takes one picture; for several, name 
 rm part.obj two.obj
 nothing_left "folders"
 
+# Plates: cells with their names, in one scale; empty plates are left out.
+run :sphere --no-background -s 16 -o own.png
+python3 - <<'END'
+import zipfile
+corners = ["0 0 0", "8 0 0", "0 8 0", "0 0 8"]
+vertices = "".join('<vertex x="%s" y="%s" z="%s"/>' % tuple(c.split()) for c in corners)
+faces = "".join('<triangle v1="%s" v2="%s" v3="%s"/>' % tuple(f) for f in ["021", "013", "032", "123"])
+with zipfile.ZipFile("plates.3mf", "w") as archive:
+    archive.write("own.png", "Metadata/plate_1.png")
+    archive.writestr("3D/3dmodel.model", '<model><resources><object id="1"><mesh><vertices>%s</vertices><triangles>%s</triangles></mesh>'
+        '</object></resources><build><item objectid="1"/><item objectid="1" transform="2 0 0 0 2 0 0 0 2 90 0 0"/></build></model>'
+        % (vertices, faces))
+    archive.writestr("Metadata/model_settings.config", "<config>%s<plate/></config>" % "".join(
+        '<plate><metadata key="plater_name" value="p"/><model_instance><metadata key="object_id" value="1"/>'
+        '<metadata key="instance_id" value="%d"/></model_instance></plate>' % i for i in range(2)))
+END
+run plates.3mf --plate=sheet -s 40 -o sheet.png --json=-
+same "cells of plates" "$code $(python3 -c 'import json, sys
+cells = json.load(sys.stdin)["cells"]
+print(*[c["plate"] for c in cells], cells[1]["covered_pixels"] > 2 * cells[0]["covered_pixels"])' <"$out")" '0 1 2 True'
+gives 2 plates.3mf --plate=sheet --views=front,top -o x.png
+same "a picture of the file has no hairline" "$(for contrast in 0 255; do
+    "$burnish" -q plates.3mf --thumbnail=only --outline-contrast=$contrast -s 40 -o - | cksum; done | uniq | wc -l)" 1
+rm plates.3mf sheet.png own.png
+nothing_left "plates"
+
 # Without a command; an output as the second operand; short flags and sides.
 expect 0 '' :sphere -s 40
 same "the default name" "$(png_size sphere.png)" "40 40"

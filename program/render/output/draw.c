@@ -209,8 +209,14 @@ static burnish_status draw_planes(render_result *result, burnish_error *error) {
 burnish_status render_draw_picture(render_result *result, burnish_error *error) {
     const render_settings *settings = result->settings;
     const int progress = result->cell_count > 1 && !settings->job.quiet && isatty(STDERR_FILENO);
-    burnish_status status = aim_cells(result, error);
-    for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
+    int are_plates = 0;
+    burnish_status status = settings->input.load.plate < 0
+                                ? render_draw_plates(result, &are_plates, error)
+                                : BURNISH_STATUS_OK;
+    if (status == BURNISH_STATUS_OK && !are_plates) {
+        status = aim_cells(result, error);
+    }
+    for (size_t i = 0; i < result->cell_count && !are_plates && status == BURNISH_STATUS_OK; ++i) {
         render_cell *cell = &result->cells[i];
         if (progress) {
             fprintf(stderr, "\rburnish: %zu of %zu: %s\033[K", i + 1, result->cell_count,

@@ -99,6 +99,9 @@ static void add_cells(cJSON *root, const render_result *result, int *failed) {
             render_is_projection(result->settings) ? render_projection_place(result, i) : i;
         cli_json_add(object, "row", cli_json_count(place / (size_t)result->columns), failed);
         cli_json_add(object, "column", cli_json_count(place % (size_t)result->columns), failed);
+        if (cell->plate > 0) {
+            cli_json_add(object, "plate", cJSON_CreateNumber(cell->plate), failed);
+        }
         if (cell->view != VIEW_FREE) {
             cli_json_add(object, "view", cJSON_CreateString(render_view_name(cell->view)), failed);
         }

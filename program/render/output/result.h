@@ -78,6 +78,7 @@ typedef struct render_cell {
     uint8_t *coverage;  /* with --json and a ground, until tones are measured */
     int has_one_color;  /* with --json and --fail-on-blank */
     char label[256];    /* UTF-8 */
+    int plate;          /* of --plate=sheet; else 0 */
 } render_cell;
 
 /* Wall time of the phases, except start, which is processor time before loading. load is read plus
@@ -89,6 +90,7 @@ typedef struct render_seconds {
 /* The results of a run. */
 typedef struct render_result {
     render_settings *settings;
+    render_settings given; /* with --plate=sheet: before they are prepared for a mesh */
     burnish_mesh *mesh;
     burnish_render_options *options;
     burnish_renderer *renderer;
@@ -147,6 +149,10 @@ int render_report_difference(const render_result *result);
 /* Aims and draws all cells, composes them, and draws planes: sets result->picture, its hash and
  * result->planes. Errors: as for cameras and drawing. */
 burnish_status render_draw_picture(render_result *result, burnish_error *error);
+
+/* Draws a cell for each plate of the mesh instead, all in one scale, if two have something on them;
+ * *are_drawn becomes 1 then. Errors: as for loading, preparing and drawing. */
+burnish_status render_draw_plates(render_result *result, int *are_drawn, burnish_error *error);
 
 /* Draws a cell whose view, lobe and camera are set, with annotations and legend, as pixels and for
  * an SVG or PDF as lines; warns about it. */

@@ -418,7 +418,8 @@ static burnish_status draw_outlined(burnish_call *d) {
     burnish_renderer *renderer = d->renderer;
     burnish_outline *outline = &renderer->outline;
     int rows[2] = {-1, -1};
-    if (!d->target.pixels.pixels || !burnish_outline_is_wanted(d->options)) {
+    if (!d->target.pixels.pixels || !burnish_outline_is_wanted(d->options) ||
+        burnish_mesh_get_info(d->mesh.mesh)->is_thumbnail) { /* whose object the file has drawn */
         renderer->has_outline = 0;
         return draw_tiles(d);
     }

@@ -86,11 +86,6 @@ static void test_left_out(void) {
               "mesh.3mf: 2 parts are not drawn: support");
     CHECK1(got.triangle_count == 1 && got.streams[BURNISH_POSITION].count == 3 &&
            corner_is(0, 1, 1, 0, 0) && corner_is(0, 2, 0, 1, 0));
-    read_fine(MODEL("<object id='1'><mesh>" TETRAHEDRON "<triangles>" FACES
-                    "</triangles><b:beamlattice/></mesh></object>",
-                    ITEM_1),
-              "mesh.3mf: 3D/a.model:4: a beam lattice is not drawn, the object's mesh is");
-    CHECK1(got.triangle_count == 4);
     read_fine(MODEL("<object id='1'>" MESH "</object>", ITEM_1 "\n<item objectid='7'/>"),
               "mesh.3mf: 3D/a.model:5: object 7 does not exist and is ignored");
     read_fine(MODEL("<object id='1'>" MESH "</object><object id='2'><components>"
@@ -99,6 +94,46 @@ static void test_left_out(void) {
                     ""),
               "mesh.3mf: the build is empty; all objects are drawn");
     CHECK1(got.triangle_count == 4 && corner_is(0, 0, 0, 0, 9));
+}
+
+#define BEAM(a, b) "<b:beams><b:beam v1='" a "' v2='" b "'/></b:beams>"
+#define LATTICE(attributes, content)                                                               \
+    MODEL("<object id='2'>" MESH "</object><object id='1'><mesh>" TETRAHEDRON                      \
+          "<b:beamlattice " attributes ">" content "</b:beamlattice></mesh></object>",             \
+          ITEM_1)
+
+/* Lattices: surfaces of 24 sides, measured against the solids that they are, in units of pi. */
+static void test_lattices(void) {
+    static const struct {
+        const char *model;
+        double volume;
+        size_t warnings;
+    } rows[] = {
+        {LATTICE("radius='.5' cap='butt'", BEAM("0", "1") BEAM("0", "9")), 0.5, 1},
+        {LATTICE("radius='.5' cap='butt'", BEAM("0", "1' r2='0' r1='.6") BEAM("0", "1' r1='0")),
+         0.24, 0},
+        {LATTICE(
+             "radius='.5' c:ballmode='mixed' c:ballradius='.3' minlength='3.5'",
+             BEAM("0", "1") "<c:balls><c:ball vindex='3'/><c:ball vindex='2' r='.6'/></c:balls>"),
+         (0.027 + 0.216) * 4 / 3, 0},
+        {LATTICE("radius='.3' cap='butt' c:ballmode='all' c:ballradius='.6'",
+                 BEAM("0", "1' cap2='sphere") "<c:balls><c:ball vindex='1' r='.3'/></c:balls>"),
+         0.18 + 0.018 + (0.216 + 0.027) * 4 / 3, 0},
+        {LATTICE("radius='.5' representationmesh='2' clippingmode='inside'", BEAM("0", "1")),
+         4 / 3.14159265, 0},
+        {LATTICE("radius='.5' cap='butt' clippingmode='inside'", BEAM("0", "1")), 0.5, 1}};
+    burnish_load_options options = burnish_load_options_default();
+    options.measure = 1;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
+        zip_list *zip = begin_3mf(rows[i].model);
+        end_zip(zip, 0);
+        OWNED_MESH *mesh = load_bytes(zip->bytes, zip->size, "mesh.3mf", &options);
+        const burnish_mesh_facts *facts = burnish_mesh_get_facts(mesh);
+        if (CHECK1(facts && burnish_mesh_get_warning_count(mesh) == rows[i].warnings)) {
+            const double ratio = facts->volume / (rows[i].volume * 3.14159265);
+            CHECK(facts->is_closed && ratio > 0.97 && ratio < 1.001, "%zu: %g", i, ratio);
+        }
+    }
 }
 
 /* Objects of other parts, by paths in every spelling; ids are of a part. */
@@ -339,6 +374,7 @@ int main(int count, char **arguments) {
     RUN(test_plain());
     RUN(test_transforms());
     RUN(test_left_out());
+    RUN(test_lattices());
     RUN(test_production());
     RUN(test_bases());
     RUN(test_colors());

@@ -44,12 +44,6 @@ static const struct {
     {MODEL("<object id='1'>" MESH "</object>",
            "<item objectid='1' transform='1e38 0 0 0 1 0 0 0 1 3e38 0 0'/>"),
      "3D/a.model:4: a position of the object is placed beyond 3.4e38; repair the transforms"},
-    {MODEL_OF("requiredextensions='b' xmlns:b='x/beamlattice/2017'",
-              "<object id='1'><mesh>" TETRAHEDRON "<triangles>" FACES
-              "</triangles><b:beamlattice/></mesh></object>",
-              ITEM_1),
-     "3D/a.model:4: an object is made of beams (beam lattice), which are not drawn; export its "
-     "mesh"},
     {MODEL("<object id='1'><components><component objectid='2'/></components></object>\n"
            "<object id='2'><components>\n<component objectid='1'/></components></object>",
            ITEM_1),

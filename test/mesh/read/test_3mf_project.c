@@ -8,6 +8,7 @@
 #define COMPONENT(id) "<component p:path='/3D/b.model' objectid='" id "'/>"
 #define AT(x, y) " transform='1 0 0 0 1 0 0 0 1 " x " " y " 0'/>"
 #define KEY(key, value) "<metadata key='" key "' value='" value "'/>"
+#define PART(attributes, keys) "<part " attributes ">" keys "</part>"
 #define OBJECT(id, type) "<object id='" id "' type='" type "' name='o" id "'>" MESH "</object>"
 
 /* Reads a project: a model, and a file of its slicer with each name that is not NULL. */
@@ -53,21 +54,13 @@ static void test_components(void) {
         MODEL(COMPONENTS(COMPONENT("1") COMPONENT("2") COMPONENT("1") COMPONENT("3") COMPONENT("4")
                              COMPONENT("5") COMPONENT("6")),
               "<item objectid='9'/><item objectid='9' printable='0'" AT("9", "0")),
-        "<config><object id='9'>" KEY("name", "thing")
-            KEY("extruder", "2") "<part id='1' subtype='normal_part'>" KEY(
-                "name", "body") "</part>"
-                                "<part id='2' subtype='negative_part'>" KEY(
-                                    "name",
-                                    "hole") "</part>"
-                                            "<part id='1' subtype='normal_part'>" KEY(
-                                                "extruder",
-                                                "3") "</part>"
-                                                     "<part id='3' subtype='modifier_part'/><part "
-                                                     "id='4' subtype='support_blocker'/>"
-                                                     "<part id='5' subtype='normal_part'>" KEY(
-                                                         "part_type",
-                                                         "support_enforcer") "</part>"
-                                                                             "</object></config>",
+        "<config><object id='9'>" KEY("name", "thing") KEY("extruder", "2")
+            PART("id='1' subtype='normal_part'",
+                 KEY("name", "body")) PART("id='2' subtype='negative_part'", KEY("name", "hole"))
+                PART("id='1' subtype='normal_part'",
+                     KEY("extruder", "3")) PART("id='3' subtype='modifier_part'", "")
+                    PART("id='4' subtype='support_blocker'", "")
+                        PART("id='5'", KEY("part_type", "support_enforcer")) "</object></config>",
         "{'filament_colour':['#FF0000','#00FF0080','#0000FF']}");
     put_part_text(
         zip, "3D/b.model",
@@ -295,6 +288,42 @@ static void test_one_plate(void) {
                 BURNISH_STATUS_ARGUMENT, "mesh.3mf: plate 2 does not exist; its plates are 1 to 7");
 }
 
+/* PrusaSlicer lists no beds: they are squares of 1, 4 and 9, at a distance of their size and a gap.
+ */
+static void test_beds(void) {
+    static const int plates[4] = {1, 2, 5, 3};
+    burnish_load_options options = burnish_load_options_default();
+    zip_list *zip = begin_project(
+        MODEL(
+            PLATED,
+            "<item objectid='1'" AT("9", "9") "<item objectid='1'" AT(
+                "59", "9") "<item objectid='1'" AT("110", "9") "<item objectid='1'" AT("9", "60")),
+        NULL, ";\n; bed_shape = 0x0,40x0,40x30,0x30\n");
+    CHECK_OK(run_3mf(zip), fault);
+    for (size_t k = 0; k < 4 && CHECK1(got.plate_count == 5); ++k) {
+        CHECK(got.parts[k].plate == plates[k], "%zu: %d", k, got.parts[k].plate);
+    }
+    options.plate = 4;
+    check_fault(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL),
+                BURNISH_STATUS_ARGUMENT, "mesh.3mf: plate 4 is empty; draw another");
+}
+
+/* What the settings announce and no picture shows. */
+static void test_undrawn(void) {
+    static const char *const texts[2][3] = {
+        {";\n; support_material = 1\n", "Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml",
+         "<code type=\"0\"/>"},
+        {"{'enable_support':'1'}", "Metadata/layer_config_ranges.xml",
+         "<b opt_key=\"extruder\"/>"}};
+    for (int i = 0; i < 2; ++i) {
+        zip_list *zip = begin_project(MODEL(PLATED, ITEM_1), NULL, texts[i][0]);
+        put_part_text(zip, texts[i][1], texts[i][2]);
+        CHECK_OK(run_3mf(zip), fault);
+        check_warnings(2, "mesh.3mf: supports that the slicer will make are not drawn",
+                       "mesh.3mf: changes of the filament at a height are not drawn");
+    }
+}
+
 /* Triangles keep their parts when they are reordered and cut. */
 static void test_triangle_parts(void) {
     const burnish_clip_plane plane = {{0, 0, 1}, 2};
@@ -397,6 +426,8 @@ int main(int count, char **arguments) {
         RUN(test_joins());
         RUN(test_plates());
         RUN(test_one_plate());
+        RUN(test_beds());
+        RUN(test_undrawn());
         RUN(test_triangle_parts());
         RUN(test_thumbnail());
     }

@@ -312,12 +312,13 @@ burnish_status burnish_zip_read(burnish_zip *zip, const burnish_zip_part *part, 
     burnish_status status = burnish_zip_begin(zip, part, &stream);
     while (status == BURNISH_STATUS_OK && !stream.has_ended) {
         size_t written = 0;
-        *bytes = burnish_reserve(memory, *bytes, &capacity, *size + 1, 1, stream.name);
+        *bytes = burnish_reserve(memory, *bytes, &capacity, *size + 2, 1, stream.name);
         status = memory->status;
         if (status == BURNISH_STATUS_OK) {
-            status = burnish_zip_next(&stream, *bytes + *size, capacity - *size, &written);
+            status = burnish_zip_next(&stream, *bytes + *size, capacity - *size - 1, &written);
+            *size += written;
+            (*bytes)[*size] = 0;
         }
-        *size += written;
     }
     burnish_zip_end(&stream);
     if (status != BURNISH_STATUS_OK) {

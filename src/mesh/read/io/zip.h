@@ -57,7 +57,7 @@ burnish_status burnish_zip_next(burnish_zip_stream *stream, uint8_t *to, size_t 
                                 size_t *written);
 void burnish_zip_end(burnish_zip_stream *stream);
 
-/* Reads a whole part, to be released by the caller; *bytes is NULL on error and for an empty part.
+/* Reads a whole part, to be released by the caller, with a 0 after it; *bytes is NULL on error.
  * Errors: FORMAT, LIMIT, MEMORY. */
 burnish_status burnish_zip_read(burnish_zip *zip, const burnish_zip_part *part, uint8_t **bytes,
                                 size_t *size);

@@ -192,6 +192,7 @@ static void close_file(burnish_threemf *threemf) {
     burnish_release(context, threemf->ranges.items);
     burnish_release(context, threemf->numbers.items);
     burnish_release(context, threemf->textures.items);
+    burnish_release(context, threemf->rods.items);
     burnish_release(context, threemf->settings.items);
     burnish_release(context, threemf->volumes.items);
     burnish_release(context, threemf->instances.items);

@@ -6,6 +6,7 @@
  *   threemf_model   a model part: its elements become the arrays below
  *   threemf_values  colours, coordinates and textures that properties of triangles mean
  *   threemf_paint   triangles that slicers have painted
+ *   threemf_beams   beam lattices, which become triangles
  *   threemf_project what slicers add: volumes, plates, filaments
  *   threemf_plates  where several plates are drawn
  *   threemf_count   objects placed by the build: counted
@@ -136,6 +137,21 @@ typedef struct burnish_threemf_middle {
     uint32_t ends[2], vertex; /* from the object's first vertex; vertex 0: an empty slot */
 } burnish_threemf_middle;
 
+/* A beam between two vertices of a lattice, or a ball around one, which is both ends. */
+typedef struct burnish_threemf_rod {
+    uint32_t ends[2]; /* from the object's first vertex */
+    float radii[2];
+    int is_round[2]; /* 0: a flat end */
+    uint32_t group, properties[2];
+} burnish_threemf_rod;
+
+/* What a lattice states for all its rods and balls. */
+typedef struct burnish_threemf_lattice {
+    burnish_threemf_rod usual;
+    float ball_radius, least; /* rods shorter than that are left out */
+    int balls;                /* 0: none; 1: those that are listed; 2: at all ends */
+} burnish_threemf_lattice;
+
 /* An object placed in the build, or in another object. */
 typedef struct burnish_threemf_placement {
     double matrix[12]; /* 3 rows of 4 */
@@ -156,7 +172,7 @@ typedef struct burnish_threemf_object {
     char name[BURNISH_NAME_SIZE];
     int is_model;     /* 0: a support, or an aid for other programs */
     int is_component; /* 1: another object holds it */
-    int has_beams, has_slices;
+    int has_slices;
     int state;                    /* while all are counted: 0, 1 on the way down, 2 done */
     uint64_t triangles, vertices; /* including its components */
     uint64_t visits;              /* objects visited on the way to these */
@@ -184,6 +200,8 @@ typedef struct burnish_threemf {
     BURNISH_THREEMF_LIST(burnish_threemf_range) ranges;
     BURNISH_THREEMF_LIST(double) numbers;
     BURNISH_THREEMF_LIST(burnish_threemf_texture) textures;
+    BURNISH_THREEMF_LIST(burnish_threemf_rod) rods; /* of the current object */
+    burnish_threemf_lattice lattice;                /* the same */
     BURNISH_THREEMF_LIST(burnish_threemf_settings) settings;
     BURNISH_THREEMF_LIST(burnish_threemf_volume) volumes;
     BURNISH_THREEMF_LIST(burnish_threemf_instance) instances; /* sorted, once all are there */
@@ -192,9 +210,9 @@ typedef struct burnish_threemf {
     burnish_threemf_middle *middles; /* of the current object, hashed by their ends */
     size_t middle_count, middle_room;
     double plate_boxes[BURNISH_THREEMF_PLATES][2][2]; /* low and high of what is drawn */
-    int requires_beams;  /* 1: the model can't do without its beam lattices */
-    uint32_t paint_most; /* filament that something is painted with */
-    float bed[2][2];     /* area of the first plate: low, high; empty: unknown */
+    uint32_t paint_most;                              /* filament that something is painted with */
+    float bed[2][2]; /* area of the first plate: low, high; empty: unknown */
+    int has_beds;    /* 1: items are on beds of PrusaSlicer, which no file lists */
 
     uint32_t plain_material, colored_material; /* 1 + number; 0: not used yet */
     size_t invisible_colors;                   /* in use, with alpha 0 */
@@ -252,6 +270,19 @@ int burnish_threemf_paint(burnish_threemf *threemf, burnish_threemf_object *obje
 /* After an object's last triangle: splits its triangles where their neighbours are split. Returns 0
  * on failure. */
 int burnish_threemf_join_paint(burnish_threemf *threemf, burnish_threemf_object *object);
+
+/* ---- threemf_beams.c ---- */
+
+struct burnish_threemf_xml;
+
+/* Begins the lattice of an object, and adds a beam or ball to it. */
+void burnish_threemf_begin_lattice(struct burnish_threemf_xml *xml, burnish_threemf_object *object,
+                                   const char *const *attributes);
+void burnish_threemf_add_rod(struct burnish_threemf_xml *xml, const burnish_threemf_object *object,
+                             const char *const *attributes, int is_ball);
+
+/* Appends the triangles of the lattice to its object. Returns 0 on failure. */
+int burnish_threemf_put_lattice(burnish_threemf *threemf, burnish_threemf_object *object);
 
 /* ---- threemf_project.c ---- */
 

@@ -22,26 +22,6 @@ static uint64_t add_saturated(uint64_t a, uint64_t b) {
     return a > UINT64_MAX - b ? UINT64_MAX : a + b;
 }
 
-/* Objects that can't be drawn, or need a warning. */
-static int check_object(burnish_threemf *threemf, const burnish_threemf_object *object) {
-    if (object->has_beams && object->triangle_count > 0 && !threemf->requires_beams) {
-        burnish_reader_note(threemf->reader, &threemf->slices, NULL,
-                            "%s: a beam lattice is not drawn, the object's mesh is",
-                            burnish_threemf_show(threemf, object->part, object->line).text);
-    } else if (object->has_beams) {
-        threemf->status = burnish_reader_fail(
-            threemf->reader, BURNISH_STATUS_FORMAT, NULL,
-            "%s: an object is made of beams (beam lattice), which are not drawn; export its mesh",
-            burnish_threemf_show(threemf, object->part, object->line).text);
-    }
-    if (object->has_slices) {
-        burnish_reader_note(threemf->reader, &threemf->slices, NULL,
-                            "%s: slices are not drawn, the object's mesh is",
-                            burnish_threemf_show(threemf, object->part, object->line).text);
-    }
-    return threemf->status == BURNISH_STATUS_OK;
-}
-
 /* Adds up triangles and visits of an object after its components. */
 static void sum_object(burnish_threemf *threemf, burnish_threemf_object *object) {
     object->triangles = object->triangle_count;
@@ -74,8 +54,10 @@ static int count_object(burnish_threemf *threemf, const burnish_threemf_placemen
     while (depth > 0) {
         burnish_threemf_object *object = &threemf->objects.items[stack[depth - 1].object];
         const uint32_t next = stack[depth - 1].next++;
-        if (object->state == 0 && !check_object(threemf, object)) {
-            return 0;
+        if (object->state == 0 && object->has_slices) {
+            burnish_reader_note(threemf->reader, &threemf->slices, NULL,
+                                "%s: slices are not drawn, the object's mesh is",
+                                burnish_threemf_show(threemf, object->part, object->line).text);
         }
         object->state = 1;
         if (next == object->component_count) {

@@ -57,7 +57,6 @@ static void check_required(burnish_threemf_xml *xml, const char *const *attribut
             if (strncmp(a[0], "xmlns:", 6) != 0 || !burnish_token_is(word, a[0] + 6)) {
                 continue;
             }
-            xml->threemf->requires_beams |= strstr(a[1], "/beamlattice/") != NULL;
             if (!is_known_space(a[1])) {
                 burnish_threemf_fail(xml, BURNISH_STATUS_FORMAT,
                                      "the model can't be drawn without the extension %.100s, which "
@@ -432,8 +431,12 @@ static void begin_property(burnish_threemf_xml *xml, burnish_threemf_element ele
     case BURNISH_THREEMF_MULTI:
         add_range(model, xml, burnish_threemf_attribute(attributes, "pindices"));
         break;
-    case BURNISH_THREEMF_BEAMS:
-        object_of(model)->has_beams = 1;
+    case BURNISH_THREEMF_LATTICE:
+        burnish_threemf_begin_lattice(xml, object_of(model), attributes);
+        break;
+    case BURNISH_THREEMF_BEAM:
+    case BURNISH_THREEMF_BALL:
+        burnish_threemf_add_rod(xml, object_of(model), attributes, element == BURNISH_THREEMF_BALL);
         break;
     default:
         break;
@@ -488,6 +491,7 @@ static void drop_unused(model_state *model) {
 static void end_element(burnish_threemf_xml *xml, burnish_threemf_element element) {
     model_state *model = xml->handler.user_data;
     if (element == BURNISH_THREEMF_THE_OBJECT && object_of(model)->vertex_count > 0 &&
+        burnish_threemf_put_lattice(model->threemf, object_of(model)) &&
         burnish_threemf_join_paint(model->threemf, object_of(model))) {
         drop_unused(model);
     }

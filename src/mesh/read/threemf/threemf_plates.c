@@ -1,11 +1,14 @@
 /* The plates of a print project. Files place them side by side at a distance of their size and a
- * fifth (PartPlate.cpp of Bambu Studio); several are drawn closer together. */
+ * fifth (PartPlate.cpp of Bambu Studio), or in growing squares with a gap (MultipleBeds.cpp of
+ * PrusaSlicer); several are drawn closer together. */
 #include "mesh/read/threemf/threemf.h"
 
 #if BURNISH_HAS_3MF
 
 #define STRIDE 1.2 /* from plate to plate, in sizes of one */
 #define GAP 0.25   /* between drawn plates, as a part of the longest side of what is on one */
+
+enum { BEDS_PER_SIDE = 3 };
 
 /* Columns of a grid of plates. */
 static size_t columns_of(size_t count) {
@@ -18,21 +21,53 @@ static size_t columns_of(size_t count) {
 
 /* The plate at a position, for an item that none lists. NONE: beside them. */
 static uint32_t plate_at(const burnish_threemf *threemf, const double matrix[12]) {
-    const size_t count = threemf->plates.count, columns = columns_of(count);
-    double at[2];
+    const int64_t count = (int64_t)threemf->plates.count;
+    const int64_t columns = (int64_t)columns_of(threemf->plates.count);
+    double size[2], squares = 0;
+    int64_t cell[2];
     for (int k = 0; k < 2; ++k) {
-        const double low = (double)threemf->bed[0][k], size = (double)threemf->bed[1][k] - low;
-        at[k] = size > 0 ? (matrix[4 * k + 3] - low) / (STRIDE * size) : 0;
-        if (!(at[k] > -1024 && at[k] < 1024)) {
+        size[k] = (double)threemf->bed[1][k] - (double)threemf->bed[0][k];
+        squares += size[k] * size[k];
+    }
+    const double gap = 9 * squares < 1e6 ? 0.3 * __builtin_sqrt(squares) : 100;
+    for (int k = 0; k < 2; ++k) {
+        const double step = threemf->has_beds ? size[k] + gap : STRIDE * size[k];
+        const double from = matrix[4 * k + 3] - (double)threemf->bed[0][k];
+        const double at = size[k] > 0 ? from / step : 0;
+        if (!(at > -1024 && at < 1024)) {
             return BURNISH_THREEMF_NONE;
         }
-        at[k] += 1024; /* rounds down */
+        cell[k] = (int64_t)(at + 1024) - 1024; /* rounds down */
+        if (threemf->has_beds &&
+            (cell[k] < 0 || cell[k] >= BEDS_PER_SIDE || from - (double)cell[k] * step > size[k])) {
+            return BURNISH_THREEMF_NONE;
+        }
     }
-    const int64_t column = (int64_t)at[0] - 1024, row = 1024 - (int64_t)at[1];
-    return column >= 0 && column < (int64_t)columns && row >= 0 &&
-                   row * (int64_t)columns + column < (int64_t)count
-               ? (uint32_t)(row * (int64_t)columns + column)
+    if (threemf->has_beds) {
+        return (uint32_t)(cell[1] < cell[0] ? cell[0] * cell[0] + cell[1]
+                                            : cell[1] * cell[1] + cell[1] + cell[0]);
+    }
+    return cell[0] >= 0 && cell[0] < columns && cell[1] <= 0 && cell[0] - cell[1] * columns < count
+               ? (uint32_t)(cell[0] - cell[1] * columns)
                : BURNISH_THREEMF_NONE;
+}
+
+/* Lists PrusaSlicer's beds up to the last that is in use, if it is not the only one. Returns 0 on
+ * failure. */
+static int list_beds(burnish_threemf *threemf) {
+    uint32_t count = 0;
+    for (size_t i = 0; i < threemf->items.count; ++i) {
+        const uint32_t bed = plate_at(threemf, threemf->items.items[i].matrix);
+        count = bed != BURNISH_THREEMF_NONE && bed >= count ? bed + 1 : count;
+    }
+    for (uint32_t i = 0; i < count && count > 1; ++i) {
+        burnish_plate *plate = BURNISH_THREEMF_APPEND(threemf, &threemf->plates);
+        if (!plate) {
+            return 0;
+        }
+        plate->number = (int)i + 1;
+    }
+    return 1;
 }
 
 static int has_plate(const burnish_threemf *threemf, int number) {
@@ -46,7 +81,11 @@ static int has_plate(const burnish_threemf *threemf, int number) {
 
 int burnish_threemf_choose_plates(burnish_threemf *threemf) {
     const int wanted = threemf->reader->input->options->plate;
+    if (threemf->has_beds && !list_beds(threemf)) {
+        return 0;
+    }
     const size_t count = threemf->plates.count;
+    size_t left = threemf->items.count;
     for (size_t i = 0; i < threemf->items.count && count > 0; ++i) {
         burnish_threemf_placement *item = &threemf->items.items[i];
         if (item->plate == BURNISH_THREEMF_NONE) {
@@ -58,6 +97,7 @@ int burnish_threemf_choose_plates(burnish_threemf *threemf) {
         if (wanted > 0 && (item->plate == BURNISH_THREEMF_NONE ||
                            threemf->plates.items[item->plate].number != wanted)) {
             item->object = BURNISH_THREEMF_NONE;
+            --left;
         }
     }
     if (wanted > 0 && count > 0 && !has_plate(threemf, wanted)) {
@@ -65,6 +105,10 @@ int burnish_threemf_choose_plates(burnish_threemf *threemf) {
                                               "plate %d does not exist; its plates are %d to %d",
                                               wanted, threemf->plates.items[0].number,
                                               threemf->plates.items[count - 1].number);
+    }
+    if (threemf->status == BURNISH_STATUS_OK && left == 0 && threemf->items.count > 0) {
+        threemf->status = burnish_reader_fail(threemf->reader, BURNISH_STATUS_ARGUMENT, NULL,
+                                              "plate %d is empty; draw another", wanted);
     }
     return threemf->status == BURNISH_STATUS_OK;
 }

@@ -12,6 +12,8 @@
 
 enum { FILAMENTS_MOST = 255 };
 
+static const char supports[] = "supports that the slicer will make are not drawn";
+
 void burnish_threemf_set_name(char to[BURNISH_NAME_SIZE], const char *from) {
     size_t size = strlen(from);
     if (size >= BURNISH_NAME_SIZE) {
@@ -182,10 +184,11 @@ static void invent_filaments(burnish_threemf *threemf) {
 }
 
 /* A corner of the plates' area: "256x256". */
-static void extend_bed(burnish_threemf *threemf, const char *text) {
+static void extend_bed(burnish_threemf *threemf, size_t number, const char *text) {
     const size_t size = strcspn(text, "x");
     const burnish_token words[2] = {{(const uint8_t *)text, size},
                                     {(const uint8_t *)text + size + 1, strlen(text + size) - 1}};
+    (void)number;
     for (int k = 0; k < 2 && text[size]; ++k) {
         float value;
         if (burnish_parse_float(words[k], &value) == BURNISH_NUMBER_OK) {
@@ -196,9 +199,9 @@ static void extend_bed(burnish_threemf *threemf, const char *text) {
 }
 
 /* Bambu Studio and OrcaSlicer: values of JSON. */
-static void read_json_settings(burnish_threemf *threemf, const uint8_t *bytes, size_t size) {
+static void read_json_settings(burnish_threemf *threemf, const char *bytes, size_t size) {
     burnish_json json = {0};
-    threemf->status = burnish_json_parse(threemf->reader, bytes, size, &json);
+    threemf->status = burnish_json_parse(threemf->reader, (const uint8_t *)bytes, size, &json);
     if (threemf->status == BURNISH_STATUS_OK) {
         const uint32_t colors = burnish_json_member(&json, 0, "filament_colour");
         const uint32_t area = burnish_json_member(&json, 0, "printable_area");
@@ -211,43 +214,61 @@ static void read_json_settings(burnish_threemf *threemf, const uint8_t *bytes, s
         }
         for (size_t i = 0, at = area + 1; i < burnish_json_length(&json, area); ++i) {
             burnish_json_text(&json, (uint32_t)at, text, sizeof text);
-            extend_bed(threemf, text);
+            extend_bed(threemf, i, text);
             at = json.nodes[at].next;
+        }
+        burnish_json_text(&json, burnish_json_member(&json, 0, "enable_support"), text,
+                          sizeof text);
+        if (strcmp(text, "1") == 0) {
+            burnish_reader_warn(threemf->reader, NULL, supports);
         }
     }
     burnish_json_destroy(threemf->memory->context, &json);
 }
 
 /* PrusaSlicer: a line "; KEY = VALUE;VALUE..." of text; values may be quoted. */
-static void read_line_colors(burnish_threemf *threemf, const char *text, const char *key) {
+static void read_line(burnish_threemf *threemf, const char *text, const char *key,
+                      const char *separators,
+                      void (*use)(burnish_threemf *threemf, size_t number, const char *value)) {
     const char *line = strstr(text, key), *at = line ? line + strlen(key) : "";
     for (size_t i = 0; *at && *at != '\r' && *at != '\n' && i < FILAMENTS_MOST; ++i) {
-        char value[12] = "";
-        const size_t size = strcspn(at, ";\r\n");
+        char value[48] = "";
+        const size_t size = strcspn(at, separators);
         const size_t quote = *at == '"';
         if (size < sizeof value + quote) {
             memcpy(value, at + quote, size - quote);
             value[strcspn(value, "\"")] = 0;
         }
-        set_filament(threemf, i, value);
-        at += size + (at[size] == ';');
+        use(threemf, i, value);
+        at += size + (at[size] == *separators);
     }
 }
 
-static void read_text_settings(burnish_threemf *threemf, const uint8_t *bytes, size_t size) {
-    char *text = burnish_allocate(threemf->memory, size + 1, 1, "settings");
-    if (text) {
-        memcpy(text, bytes, size);
-        text[size] = 0;
-        read_line_colors(threemf, text, "\n; filament_colour = ");
-        read_line_colors(threemf, text, "\n; extruder_colour = "); /* goes first */
+static void read_text_settings(burnish_threemf *threemf, const char *text, size_t size) {
+    (void)size;
+    read_line(threemf, text, "\n; filament_colour = ", ";\r\n", set_filament);
+    read_line(threemf, text, "\n; extruder_colour = ", ";\r\n", set_filament); /* goes first */
+    read_line(threemf, text, "\n; bed_shape = ", ",\r\n", extend_bed);
+    threemf->has_beds = threemf->plates.count == 0;
+    if (strstr(text, "\n; support_material = 1")) {
+        burnish_reader_warn(threemf->reader, NULL, supports);
     }
-    burnish_release(threemf->memory->context, text);
+}
+
+/* Heights of objects and plates with settings of their own, in XML. */
+static void read_heights(burnish_threemf *threemf, const char *text, size_t size) {
+    (void)size;
+    if (strstr(text, "opt_key=\"extruder\"") || strstr(text, " type=\"0\"") ||
+        strstr(text, " type=\"2\"")) {
+        burnish_reader_warn(threemf->reader, NULL,
+                            "changes of the filament at a height are not drawn");
+    }
 }
 
 /* ---- The files ---- */
 
-typedef void read_settings(burnish_threemf *threemf, const uint8_t *bytes, size_t size);
+/* text ends with a 0 at `size` */
+typedef void read_settings(burnish_threemf *threemf, const char *text, size_t size);
 
 static void read_file(burnish_threemf *threemf, const char *name, read_settings *read) {
     static const burnish_threemf_handler handler = {begin_setting, NULL, NULL};
@@ -262,7 +283,7 @@ static void read_file(burnish_threemf *threemf, const char *name, read_settings 
     } else {
         threemf->status = burnish_zip_read(&threemf->zip, part, &bytes, &size);
         if (threemf->status == BURNISH_STATUS_OK && size > 0) {
-            read(threemf, bytes, size);
+            read(threemf, (const char *)bytes, size);
         }
         burnish_release(threemf->memory->context, bytes);
     }
@@ -321,6 +342,10 @@ int burnish_threemf_read_project(burnish_threemf *threemf) {
     read_file(threemf, "Metadata/Slic3r_PE_model.config", NULL);
     read_file(threemf, "Metadata/project_settings.config", read_json_settings);
     read_file(threemf, "Metadata/Slic3r_PE.config", read_text_settings);
+    read_file(threemf, "Metadata/layer_config_ranges.xml", read_heights);
+    read_file(threemf, "Metadata/custom_gcode_per_layer.xml", read_heights);
+    read_file(threemf, "Metadata/Prusa_Slicer_layer_config_ranges.xml", read_heights);
+    read_file(threemf, "Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml", read_heights);
     if (threemf->instances.count > 0) {
         qsort(threemf->instances.items, threemf->instances.count, sizeof *threemf->instances.items,
               compare_instances);
