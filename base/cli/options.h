@@ -20,7 +20,7 @@ typedef struct cli_word {
 /* The file that a flag's value names, if any. Shells complete its name. */
 typedef enum cli_file {
     CLI_NO_FILE,
-    CLI_FOLDER, /* of outputs */
+    CLI_FOLDER,
     CLI_READS,  /* a batch compares its bytes with those of the last run */
     CLI_WRITES, /* a picture: the command checks its extension */
     CLI_REPORTS /* text: not under the name of a mesh */

@@ -164,7 +164,9 @@ static int is_black(const float color[3]) {
     return !(color[0] > 0 || color[1] > 0 || color[2] > 0);
 }
 
-/* Exponent and colour of the highlight. Exponents below 1 have another meaning, or none. */
+/* Exponent and colour of the highlight. An exponent below 1 is a share of OpenGL's largest one, as
+ * exporters of 3ds Max and Cinema 4D write it, with the default colour white: a small one is also
+ * faint. 0 is no highlight. */
 static void read_highlight(const reading *r, importer_material *to) {
     float color[3] = {0, 0, 0}, exponent = 0, strength = 1;
     int model = 0;
@@ -175,6 +177,10 @@ static void read_highlight(const reading *r, importer_material *to) {
     const int has_model = aiGetMaterialIntegerArray(r->material, KEY(AI_MATKEY_SHADING_MODEL), 0, 0,
                                                     &model, &count) == aiReturn_SUCCESS;
     memset(to->specular, 0, sizeof to->specular);
+    if (exponent > 0 && exponent < 1) {
+        strength = exponent * (strength > 0 && strength < 1 ? strength : 1);
+        exponent *= 128;
+    }
     to->exponent = exponent;
     if (!(exponent >= 1) ||
         (has_model && (model == aiShadingMode_Flat || model == aiShadingMode_Gouraud))) {

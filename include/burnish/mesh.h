@@ -216,7 +216,15 @@ typedef struct burnish_load_options {
                                        1 MiB in both limits */
     burnish_file_loader referenced_files; /* load NULL: files in the folder of the input; none
                                               for standard input and memory */
-    burnish_stream_decoder decoder;       /* decode NULL: files that need it fail with FORMAT */
+    const char *root; /* a folder that contains the input, by its path: the input may refer to all
+                           files in it. Textures that are elsewhere are then also searched in the usual
+                           folders next to the input's, such as ../textures. A folder that does not
+                           contain the input fails with ARGUMENT. NULL: the input's folder */
+    const char
+        *folder; /* with referenced_files.load: the folder of the input in the loader's names,
+                           such as "models/chair", from which ".." leads up. NULL: the loader
+                           has no files above the input's folder */
+    burnish_stream_decoder decoder; /* decode NULL: files that need it fail with FORMAT */
 } burnish_load_options;
 
 /* BURNISH_CREASE_AUTO, BURNISH_NORMALS_AUTO, tessellation 16, no extra texture coordinates, no

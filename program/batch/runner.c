@@ -25,6 +25,7 @@
 #include "base/cli/platform.h"
 #include "base/cli/process.h"
 #include "base/clock.h"
+#include "base/inputs.h"
 #include "cli/limits.h"
 #include "cli/main.h"
 #include "import/importers.h"
@@ -85,7 +86,7 @@ static int hash_open_file(int file, uint64_t *hash, uint64_t seed) {
 }
 
 int batch_hash_file(const char *path, uint64_t *hash, uint64_t seed) {
-    const int file = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+    const int file = burnish_open_input(path, O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
     if (file < 0) {
         return 0;
     }
@@ -127,14 +128,15 @@ static int is_hash(const char *text, uint64_t hash) {
 }
 
 /* Whether the files listed in the line still have the recorded hash. */
-static int has_same_files(const cJSON *line, const char *input) {
+static int has_same_files(const cJSON *line, const char *input, const char *root) {
     const cJSON *names = cJSON_GetObjectItemCaseSensitive(line, "files"), *name;
     const size_t folder = (size_t)(cli_base_name(input) - input);
     uint64_t hash = 0;
     cJSON_ArrayForEach(name, names) {
         char path[8192];
-        if (!cJSON_IsString(name) || snprintf(path, sizeof path, "%.*s%s", (int)folder, input,
-                                              name->valuestring) >= (int)sizeof path) {
+        if (!cJSON_IsString(name) ||
+            snprintf(path, sizeof path, "%.*s%s%s", root ? (int)strlen(root) : (int)folder,
+                     root ? root : input, root ? "/" : "", name->valuestring) >= (int)sizeof path) {
             return 0;
         }
         uint64_t next = hash_text(name->valuestring, hash);
@@ -162,7 +164,7 @@ static int is_unchanged(const batch *b, const batch_item *item, const struct bat
                         is_hash(batch_text(object, "hash"), hash) &&
                         !cJSON_HasObjectItem(object, "uncertain") &&
                         fits_memory(object, b->settings->render.job.max_memory) &&
-                        has_same_files(object, item->input);
+                        has_same_files(object, item->input, b->settings->render.input.load.root);
     cJSON_Delete(object);
     return is_same;
 }
@@ -245,6 +247,7 @@ static burnish_status run_worker(const runner *r, render_settings *settings, fil
                                  int *is_late, burnish_error *line) {
     burnish_error error = {BURNISH_STATUS_OK, ""}, ended = {BURNISH_STATUS_OK, ""};
     const sandbox_plan plan = {.input = settings->input.name,
+                               .root = settings->input.load.root,
                                .format = settings->input.load.format,
                                .outputs = {render_output_path(&settings->output)},
                                .output_count = 1,

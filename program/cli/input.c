@@ -150,6 +150,7 @@ burnish_load_options cli_load_options(const cli_input *input) {
     }
     options.animation = input->animation;
     options.variant = input->variant;
+    options.root = input->root;
     options.plate = input->plate > 0 ? input->plate : 0;
     options.thumbnail = (burnish_thumbnail)input->thumbnail;
     options.ignore_referenced_files = input->no_libraries;

@@ -40,7 +40,7 @@ typedef struct cli_input {
     int format; /* burnish_format or cli_foreign */
     int tessellation, strict, no_textures, no_libraries;
     cli_real animation_time;
-    const char *animation, *variant;
+    const char *animation, *variant, *root;
     int plate;     /* 0: all; CLI_PLATE_SHEET */
     int thumbnail; /* burnish_thumbnail */
     cli_real point_size;
@@ -156,6 +156,19 @@ enum { CLI_PLATE_SHEET = -1 };
     .manual = "Reads only _INPUT_, without the material libraries, textures and buffers that it "  \
               "refers to.",                                                                        \
     .handler = cli_flag_switch, .offset = offsetof(type, member.no_libraries)
+
+#define CLI_ROOT_FLAG(type, member)                                                                \
+    .phases = CLI_PHASE_LOAD, .value_type = CLI_TYPE_NAME, .name = "root", .value = "FOLDER",      \
+    .help = "INPUT may refer to files in FOLDER", .file = CLI_FOLDER,                              \
+    .default_label = "INPUT's folder",                                                             \
+    .manual =                                                                                      \
+        "_INPUT_ may refer to files anywhere in _FOLDER_, which must contain it, such as "         \
+        "*--root=..*; no name and no link leads out of _FOLDER_. Textures that are not where "     \
+        "_INPUT_ "                                                                                 \
+        "says are also searched in the folders textures, texture, materials/textures and "         \
+        "materials, next to _INPUT_ and next to its folder. Without this flag only _INPUT_'s "     \
+        "folder and those below it are read.",                                                     \
+    .handler = cli_flag_text, .offset = offsetof(type, member.root)
 
 #define CLI_MAX_TRIANGLES_FLAG(type, member)                                                       \
     .phases = CLI_PHASE_LOAD | CLI_PHASE_PROCESS, .name = "max-triangles", .value = "N",           \

@@ -47,8 +47,7 @@ static burnish_status take_error(const char *name, const import_stream *stream,
                                  burnish_error *error) {
     const burnish_load_options options = burnish_load_options_default();
     burnish_mesh *mesh;
-    const burnish_status status =
-        import_build(&draco, name, stream, &options, (burnish_file_loader){0}, &mesh, error);
+    const burnish_status status = import_build(&draco, name, stream, &options, &mesh, error);
     burnish_mesh_destroy(mesh);
     return status == BURNISH_STATUS_OK
                ? cli_fail(error, BURNISH_STATUS_FORMAT, "%.200s: %s makes a mesh of its own", name,

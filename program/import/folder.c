@@ -13,20 +13,28 @@
 #include <unistd.h>
 
 #include "base/beneath.h"
+#include "base/inputs.h"
 #include "base/show_text.h"
 
 enum { NAME_SIZE = 4096, PIECE_SIZE = 1 << 16 };
 
-int folder_open(const char *input) {
-    char folder[NAME_SIZE];
+burnish_status folder_open(const char *input, const char *root, int *folder, char *path,
+                           const char **below, burnish_error *error) {
     const char *slash = strrchr(input, '/');
-    if (*input == ':' || strcmp(input, "-") == 0 ||
-        (slash && (size_t)(slash - input) + 2 > sizeof folder)) {
-        return -1;
+    *folder = -1;
+    *below = NULL;
+    if (*input == ':' || strcmp(input, "-") == 0 || burnish_archive_member(input) ||
+        (slash && (size_t)(slash - input) + 2 > BURNISH_INPUT_PATH)) {
+        return BURNISH_STATUS_OK;
     }
-    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - input) + 1 : 1,
+    snprintf(path, BURNISH_INPUT_PATH, "%.*s", slash ? (int)(slash - input) + 1 : 1,
              slash ? input : ".");
-    return open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    *folder = open(root ? root : path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int code = root ? burnish_folder_below(root, input, path) : 0;
+    *below = root ? path : NULL;
+    return code == 0 ? BURNISH_STATUS_OK
+                     : cli_fail(error, BURNISH_STATUS_ARGUMENT, "root: %s: %s",
+                                burnish_show_name(root).text, burnish_root_fault(code));
 }
 
 burnish_status folder_fail(const char *name, int code, burnish_error *error) {
@@ -138,13 +146,6 @@ static void folder_release(void *user_data, const void *bytes, size_t size) {
 
 burnish_file_loader folder_loader(int *folder) {
     return (burnish_file_loader){folder_load, folder_release, folder};
-}
-
-#else
-
-int folder_open(const char *input) {
-    (void)input;
-    return -1;
 }
 
 #endif

@@ -6,8 +6,13 @@
 #include "burnish/mesh.h"
 #include "import/run.h"
 
-/* A descriptor of the input's folder; -1: no folder, or it can't be opened. */
-int folder_open(const char *input);
+/* Opens the root, or the input's folder if that is NULL, and finds the path from it to the input's
+ * folder: "" or "a/b".
+ *   folder  receives a descriptor; -1: no folder, or it can't be opened
+ *   below   is `path`, with room for BURNISH_INPUT_PATH bytes, or NULL without a root
+ * Errors: ARGUMENT (the root does not contain the input). */
+burnish_status folder_open(const char *input, const char *root, int *folder, char *path,
+                           const char **below, burnish_error *error);
 
 /* Opens the regular file `name`; ".." and links can't lead out of the folder.
  *   folder  -1: no file is found

@@ -146,8 +146,7 @@ static const char *shown_end(const char *name) {
 
 burnish_status import_build(const import_program *importer, const char *name,
                             const import_stream *stream, const burnish_load_options *options,
-                            burnish_file_loader companions, burnish_mesh **mesh,
-                            burnish_error *error) {
+                            burnish_mesh **mesh, burnish_error *error) {
     burnish_load_options handed = *options;
     char whole[256];
     *mesh = NULL;
@@ -162,7 +161,6 @@ burnish_status import_build(const import_program *importer, const char *name,
     snprintf(whole, sizeof whole, "%.200s: %s", shown_end(name), importer->name);
     handed.format = BURNISH_FORMAT_BMS;
     handed.max_input_bytes = UINT64_MAX; /* max_input_bytes limits the imported file only */
-    handed.referenced_files = companions;
     return burnish_mesh_load_memory(stream->bytes, stream->size, whole, &handed, mesh, error);
 }
 

@@ -46,12 +46,10 @@ int import_keep(void *stream, const void *bytes, size_t size);
 /* Reserves room for `size` bytes. Returns 0 if there is no memory. */
 int import_expect(import_stream *stream, uint64_t size);
 
-/* Builds the mesh of a stream.
- *   companions  loads referenced textures */
+/* Builds the mesh of a stream. options->referenced_files loads referenced textures. */
 burnish_status import_build(const import_program *importer, const char *name,
                             const import_stream *stream, const burnish_load_options *options,
-                            burnish_file_loader companions, burnish_mesh **mesh,
-                            burnish_error *error);
+                            burnish_mesh **mesh, burnish_error *error);
 
 /* An input's name for messages. */
 const char *import_shown(const char *path);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/cli/options.h"
+#include "base/inputs.h"
 #include "cli/input.h"
 #include "import/folder.h"
 #include "import/run.h"
@@ -114,7 +115,8 @@ static burnish_status import_path(const import_program *importer, const char *ex
                            (import_sink){import_keep, stream}, error);
 }
 
-static const import_source files = {burnish_mesh_load, import_path, NULL, import_decode_bytes};
+static const import_source files = {burnish_mesh_load, import_path, NULL, import_decode_bytes,
+                                    NULL};
 static const import_source *source = &files;
 
 /* ---- Any source ---- */
@@ -127,10 +129,17 @@ static burnish_status run_importer(const import_program *importer, const char *e
     burnish_status status =
         source->import(importer, extension, input, options->max_input_bytes, &stream, error);
     if (status == BURNISH_STATUS_OK || stream.is_short) {
-        int folder = source->files ? -1 : folder_open(input);
-        status = import_build(importer, import_shown(input), &stream, options,
-                              source->files ? options->referenced_files : folder_loader(&folder),
-                              mesh, error);
+        burnish_load_options handed = *options;
+        char path[BURNISH_INPUT_PATH];
+        int folder = -1;
+        status = BURNISH_STATUS_OK;
+        if (!source->files) {
+            status = folder_open(input, options->root, &folder, path, &handed.folder, error);
+            handed.referenced_files = folder_loader(&folder);
+        }
+        if (status == BURNISH_STATUS_OK) {
+            status = import_build(importer, import_shown(input), &stream, &handed, mesh, error);
+        }
         if (folder >= 0) {
             close(folder);
         }
@@ -141,7 +150,7 @@ static burnish_status run_importer(const import_program *importer, const char *e
 
 #else /* no importers */
 
-static const import_source files = {burnish_mesh_load, NULL, NULL, NULL};
+static const import_source files = {burnish_mesh_load, NULL, NULL, NULL, NULL};
 static const import_source *source = &files;
 
 static burnish_status run_importer(const import_program *importer, const char *extension,
@@ -170,6 +179,12 @@ burnish_status import_load(const char *input, const burnish_load_options *option
     handed.decoder = import_decoder(&decoding);
     if (source->files) {
         handed.referenced_files = source->files(input);
+        handed.folder = source->folder;
+    }
+    if (importer && burnish_archive_member(input)) {
+        return cli_fail(error, BURNISH_STATUS_FORMAT,
+                        "%.200s: %s reads no archives; unpack the archive", import_shown(input),
+                        importer->name);
     }
     if (importer) {
         status = run_importer(importer, extension, input, &handed, mesh, error);

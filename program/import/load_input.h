@@ -8,6 +8,7 @@
  *   load    as burnish_mesh_load
  *   import  runs an importer; the stream is empty
  *   files   the files that an input names; NULL: they are opened in the input's folder
+ *   folder  as in load options, for these files
  *   decode  decodes compressed streams; NULL: nobody does */
 typedef struct import_source {
     burnish_status (*load)(const char *input, const burnish_load_options *options,
@@ -17,6 +18,7 @@ typedef struct import_source {
                              burnish_error *error);
     burnish_file_loader (*files)(const char *input);
     import_decode *decode;
+    const char *folder;
 } import_source;
 
 /* Changes the source from files of this process to another one, which must outlive it. */

@@ -44,6 +44,7 @@ static const cli_flag flags[] = {
     {CLI_THUMBNAIL_FLAG(info_settings, load)},
     {CLI_STRICT_FLAG(info_settings, load)},
     {CLI_NO_LIBRARIES_FLAG(info_settings, load)},
+    {CLI_ROOT_FLAG(info_settings, load)},
     {CLI_MAX_TRIANGLES_FLAG(info_settings, load)},
     {CLI_MAX_INPUT_BYTES_FLAG(info_settings, load)},
     {CLI_SWITCH("quiet", "no warnings", quiet), .letter = 'q',

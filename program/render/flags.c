@@ -577,6 +577,7 @@ static const cli_flag flags[] = {
     {CLI_STRICT_FLAG(render_settings, input.load)},
     {CLI_NO_TEXTURES_FLAG(render_settings, input.load)},
     {CLI_NO_LIBRARIES_FLAG(render_settings, input.load)},
+    {CLI_ROOT_FLAG(render_settings, input.load), .not_for = HEIR_REQUEST | HEIR_SERVE},
     {CLI_MAX_TRIANGLES_FLAG(render_settings, input.load), .not_for = HEIR_REQUEST},
     {CLI_MAX_TEXTURE_PIXELS_FLAG(render_settings, input.load), .not_for = HEIR_REQUEST},
     {CLI_MAX_INPUT_BYTES_FLAG(render_settings, input.load), .not_for = HEIR_REQUEST},
@@ -678,7 +679,8 @@ const cli_command render_command = {
     .operand_help = CLI_INPUT_HELP,
     .manual =
         "Draws _INPUT_: a file with an extension of" CLI_INPUT_EXTENSIONS
-        ", optionally compressed with gzip, *-* for standard input, or a built-in object: "
+        ", optionally compressed with gzip or in a ZIP archive (*kit.zip:part.stl* names one of "
+        "several), *-* for standard input, or a built-in object: "
         "*:teapot*, *:sphere*, *:torus* or *:knot*.\nWithout flags the picture shows the whole "
         "object in a three-quarter view, lit by lights that follow the camera. The value of a flag "
         "follows after *=* or as the next argument. Flags can't be abbreviated. If a flag is "

@@ -209,6 +209,7 @@ static void release_result(render_result *result) {
 static burnish_status enter_sandbox(const render_settings *settings, int *code,
                                     burnish_error *error) {
     sandbox_plan plan = {.input = settings->input.name,
+                         .root = settings->input.load.root,
                          .format = settings->input.load.format,
                          .outputs = {render_output_path(&settings->output)},
                          .container = picture_container((picture_format)settings->output.format),

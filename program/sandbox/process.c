@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "base/cli/process.h"
+#include "base/inputs.h"
 #include "base/show_text.h"
 #include "cli/limits.h"
 #include "import/folder.h"
@@ -47,7 +48,7 @@ static burnish_status open_input(const char *input, int *file, burnish_error *er
     if (*input == ':' || strcmp(input, "-") == 0) {
         return BURNISH_STATUS_OK;
     }
-    *file = open(input, O_RDONLY | O_CLOEXEC | O_NOCTTY);
+    *file = burnish_open_input(input, O_RDONLY | O_CLOEXEC | O_NOCTTY);
     struct stat state;
     const burnish_shown_name shown = burnish_show_name(input);
     if (*file < 0) {
@@ -63,35 +64,34 @@ static burnish_status open_input(const char *input, int *file, burnish_error *er
 }
 
 /* Serves the worker until it has ended. Returns the exit code. */
-static int be_broker(const sandbox_plan *plan, pid_t worker, int channel, int input) {
-    const int folder = folder_open(plan->input);
+static int be_broker(const sandbox_plan *plan, pid_t worker, int channel, int input, int folder) {
     cli_limit_child(worker);
     const broker_state reason = broker_serve(plan, channel, input, folder);
     close(channel);
     kill(worker, SIGKILL); /* a compromised worker may still run; a sound one has already exited */
     const int state = cli_wait_child(worker);
-    if (folder >= 0) {
-        close(folder);
-    }
     return describe_end(reason, state, plan->ended);
 }
 
 burnish_status sandbox_begin(const sandbox_plan *plan, int *code, burnish_error *error) {
-    int input, ends[2];
+    static char path[BURNISH_INPUT_PATH]; /* in the worker, too */
+    const char *below;
+    int input, ends[2], folder;
     burnish_status status = open_input(plan->input, &input, error);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    if (!cli_channel(ends)) {
+    status = folder_open(plan->input, plan->root, &folder, path, &below, error);
+    if (status == BURNISH_STATUS_OK && !cli_channel(ends)) {
         status =
             cli_fail(error, BURNISH_STATUS_ARGUMENT, "--sandbox: no socket: %s", strerror(errno));
-    } else {
+    } else if (status == BURNISH_STATUS_OK) {
         const pid_t worker =
             cli_fork(&(cli_plan){.kept = {CLI_SAME, CLI_SAME, CLI_SAME, ends[1], input},
                                  .count = input >= 0 ? WORKER_INPUT + 1 : WORKER_INPUT,
                                  .ended_by = SIGKILL});
         if (worker == 0) {
-            sandbox_become_worker(WORKER_CHANNEL, input >= 0 ? WORKER_INPUT : -1);
+            sandbox_become_worker(WORKER_CHANNEL, input >= 0 ? WORKER_INPUT : -1, below);
             *code = -1;
             return BURNISH_STATUS_OK;
         }
@@ -101,13 +101,16 @@ burnish_status sandbox_begin(const sandbox_plan *plan, int *code, burnish_error 
         }
         close(ends[1]);
         if (worker > 0) {
-            *code = be_broker(plan, worker, ends[0], input);
+            *code = be_broker(plan, worker, ends[0], input, folder);
         } else {
             close(ends[0]);
         }
     }
     if (input >= 0) {
         close(input);
+    }
+    if (folder >= 0) {
+        close(folder);
     }
     return status;
 }

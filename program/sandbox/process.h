@@ -22,6 +22,7 @@ enum { SANDBOX_OUTPUTS_MAX = 32 };
 
 typedef struct sandbox_plan {
     const char *input; /* a file, "-", or a built-in object */
+    const char *root;  /* the folder of files that the input refers to; NULL: the input's */
     int format;        /* the value of --input-format, which selects the importer */
     const char *outputs[SANDBOX_OUTPUTS_MAX];
     size_t output_count;

@@ -155,9 +155,10 @@ static burnish_file_loader list_files(const char *input) {
                                    : (burnish_file_loader){load_by_broker, release_file, NULL};
 }
 
-void sandbox_become_worker(int channel, int input) {
-    static const import_source source = {load_input, import_by_broker, list_files,
-                                         decode_by_broker};
+void sandbox_become_worker(int channel, int input, const char *folder) {
+    static import_source source = {load_input, import_by_broker, list_files, decode_by_broker,
+                                   NULL};
+    source.folder = folder;
     broker = channel;
     input_file = input;
     cli_file_set_writer(write_by_broker);

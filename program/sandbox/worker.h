@@ -8,8 +8,9 @@
  * the broker opens referenced files and runs the importer. Affects the whole process, like the
  * sandbox.
  *   channel  to the broker
- *   input    the open input, or -1 */
-void sandbox_become_worker(int channel, int input);
+ *   input    the open input, or -1
+ *   folder   of the input, below the one that the broker opens files in; NULL: the same */
+void sandbox_become_worker(int channel, int input, const char *folder);
 
 /* Whether this process is a worker. */
 int sandbox_is_worker(void);

@@ -1,13 +1,16 @@
 /* Loads a mesh from a path, standard input or memory: gets the bytes, reads them, builds the mesh.
  */
 #include <errno.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/clock.h"
+#include "base/inputs.h"
 #include "base/platform.h"
 #include "core/float_mode.h"
 #include "mesh/build/build.h"
 #include "mesh/builtin.h"
+#include "mesh/read/archive.h"
 #include "mesh/read/common/local_origin.h"
 #include "mesh/read/io/beside.h"
 #include "mesh/read/io/budget.h"
@@ -232,7 +235,7 @@ static burnish_status read_descriptor(int descriptor, opened_file *file, int onl
 static int open_path(const char *path) {
     int descriptor;
     do {
-        descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY | O_BINARY);
+        descriptor = burnish_open_input(path, O_RDONLY | O_CLOEXEC | O_NOCTTY | O_BINARY);
     } while (descriptor < 0 && errno == EINTR);
     return descriptor;
 }
@@ -240,7 +243,7 @@ static int open_path(const char *path) {
 /* ---- Files next to the input ---- */
 
 typedef struct folder {
-    const char *input; /* the path of a file in it */
+    const char *input; /* the path of a file in it, or its own with "/" at its end */
     const burnish_context *context;
 } folder;
 
@@ -308,6 +311,7 @@ static burnish_status load_input(const burnish_reader_input *input, burnish_form
     burnish_mesh_data data = burnish_mesh_data_begin(context, &tasks, error);
     burnish_reader_input unpacked = *input;
     burnish_reader reader = {.input = &unpacked, .mesh = &data, .error = error};
+    burnish_archive archive = {.zip = {0}};
     uint8_t *bytes;
     *again = 0;
     burnish_status status = burnish_unpack_input(&unpacked, &data.memory, &bytes);
@@ -316,18 +320,23 @@ static burnish_status load_input(const burnish_reader_input *input, burnish_form
         owned = NULL;
     }
     if (status == BURNISH_STATUS_OK) {
+        status = burnish_archive_open(&archive, &unpacked, &data, error);
+        format = archive.bytes ? BURNISH_FORMAT_AUTO : format;
+    }
+    if (status == BURNISH_STATUS_OK) {
         status = burnish_read(&reader, &format);
         *again = input->streamed && !burnish_must_stream(input) &&
                  (status == BURNISH_STATUS_OK
                       ? reader.has_warned
                       : status != BURNISH_STATUS_MEMORY && status != BURNISH_STATUS_CANCELLED);
     }
+    burnish_archive_close(&archive);
     burnish_release(context, bytes);
     burnish_release(context, owned);
     if (status == BURNISH_STATUS_OK && !*again) {
         data.start = start;
         data.crowded_max = burnish_budget_crowded(&reader);
-        status = burnish_mesh_build(&data, input->name, input->options, format, mesh);
+        status = burnish_mesh_build(&data, unpacked.name, input->options, format, mesh);
     }
     burnish_mesh_data_destroy(&data);
     return status == BURNISH_STATUS_OK && !*again && input->options->strict
@@ -401,13 +410,17 @@ static burnish_status load_file(const char *path, int descriptor, const char *na
                                 burnish_error *error) {
     const double start = burnish_seconds_now();
     folder beside = {path, options->context};
+    char below[BURNISH_INPUT_PATH], root[BURNISH_INPUT_PATH + 1];
     opened_file file = {.name = name,
                         .max_bytes = options->max_input_bytes,
                         .format = options->format,
                         .memory = burnish_memory_of(options->context, error),
                         .may_stream = 1};
-    burnish_reader_input input = {
-        .name = file.name, .options = options, .companions = options->referenced_files};
+    burnish_reader_input input = {.name = file.name,
+                                  .options = options,
+                                  .companions = options->referenced_files,
+                                  .folder =
+                                      options->referenced_files.load ? options->folder : NULL};
     const int opened = path ? open_path(path) : descriptor;
     if (path && opened < 0) {
         return fail_errno(&file, "can't be opened", errno);
@@ -416,6 +429,18 @@ static burnish_status load_file(const char *path, int descriptor, const char *na
         input.companions = (burnish_file_loader){0};
     } else if (!input.companions.load && path) {
         input.companions = (burnish_file_loader){load_beside, release_beside, &beside};
+        if (options->root && !burnish_archive_member(path)) {
+            const int code = burnish_folder_below(options->root, path, below);
+            if (code != 0) {
+                close(opened);
+                return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "root: %s: %s",
+                                    burnish_show_name(options->root).text,
+                                    burnish_root_fault(code));
+            }
+            snprintf(root, sizeof root, "%s/", options->root);
+            beside.input = root;
+            input.folder = below;
+        }
     }
     return load_opened(path, opened, &file, &input, start, mesh, error);
 }
@@ -464,7 +489,8 @@ burnish_status burnish_mesh_load_memory(const void *bytes, size_t size, const ch
                                         .options = options,
                                         .companions = options->ignore_referenced_files
                                                           ? (burnish_file_loader){0}
-                                                          : options->referenced_files};
+                                                          : options->referenced_files,
+                                        .folder = options->folder};
     if (!bytes && size > 0) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "bytes: NULL; pass the bytes");
     }

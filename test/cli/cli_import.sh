@@ -118,7 +118,7 @@ check "the extension" [ "$(cat "$bin/arguments")" = fbx ]
 check "the file" cmp -s a.fbx "$bin/input"
 check "descriptors: $(cat "$bin/descriptors")" [ "$(wc -l <"$bin/descriptors")" -le 4 ] # ls has one of its own
 check "warnings" [ "$(cat "$err")" = "burnish: warning: a.fbx: burnish-import-assimp: text
-burnish: warning: a.fbx: burnish-import-assimp: texture \"a.png\" was skipped: a.png: can't be opened: No such file or directory" ]
+burnish: warning: a.fbx: burnish-import-assimp: texture \"a.png\" was skipped: a.png: can't be opened: No such file or directory; --root=.. searches there" ]
 cp "$here/../data/tiles.png" a.png
 for flag in --no-sandbox $boxed; do
     run render a.fbx --size=64 "$flag" -o q.png

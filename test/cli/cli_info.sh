@@ -152,13 +152,13 @@ check "inside out: $(grep volume "$out")" grep -q '^  volume  *-6 (inside out: '
 {
     box '/endsolid/d'
     echo facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 0 vertex 0 0 1 endloop endfacet endsolid box
-} >flat.stl
-run info flat.stl
-check "a warning: $(cat "$err")" grep -qx 'burnish: warning: flat.stl: 1 of 13 triangles have no area and were left out' "$err"
+} >flat.obj
+run info flat.obj
+check "a warning: $(cat "$err")" grep -qx 'burnish: warning: flat.obj: the file is STL, not OBJ as its name says' "$err"
 check "a degenerate triangle" grep -qx '  degenerate triangles  1' "$out"
-run info flat.stl --json --quiet
+run info flat.obj --json --quiet
 check "--quiet" [ ! -s "$err" ]
-check "a warning in JSON" grep -q '"warnings":.*1 of 13 triangles' "$out"
+check "a warning in JSON" grep -q '"warnings":.*the file is STL' "$out"
 
 # Lines beside faces do not count for the facts of the faces.
 printf '%s' '{"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],' \

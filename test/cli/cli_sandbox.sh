@@ -117,7 +117,58 @@ check "a library that is too large: $(cat "$err")" grep -q 'beside.mtl: larger t
 truncate -s 500M in/beside.mtl
 same_there in/a.obj --max-memory=400M --threads=1 --size=16 -o OUT.png
 check "a library without memory for it: $(cat "$err")" grep -q 'out of memory: no 524288000 bytes for beside.mtl' "$err"
-rm -rf in secret.mtl
+rm -rf in
+
+# With a root, files next to the input's folder are read as well, but none outside the root.
+mkdir -p root/meshes root/lib root/textures root/Materials/Textures
+cp secret.mtl root/lib/red.mtl
+ln -s ../../secret.mtl root/lib/link.mtl
+"$burnish" render :knot --size=8 -o root/textures/t.png
+"$burnish" render :torus --size=8 -o root/Materials/Textures/u.png
+rooted() { # LIBRARY; its hash with and without a sandbox, if they are equal
+    printf 'mtllib %s\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\n' "$1" >root/meshes/a.obj
+    for wall in --sandbox --no-sandbox; do
+        run render root/meshes/a.obj --root=$root "$wall" --size=16 --json -o s.png
+        json hash
+    done | uniq
+    rm -f s.png
+}
+for root in root "$PWD/root/" root/meshes/../lib/..; do
+    check "$root contains a library" [ "$(rooted ../lib/red.mtl)" != "$(rooted none.mtl)" ]
+    check "no link leads out of $root" [ "$(rooted ../lib/link.mtl)" = "$(rooted none.mtl)" ]
+    check "no name leads out of $root" [ "$(rooted ../../secret.mtl)" = "$(rooted none.mtl)" ]
+done
+check "the whole tree" [ "$(root=. rooted ../../secret.mtl)" = "$(root=root rooted ../lib/red.mtl)" ]
+root=root
+for texture in ../textures/t.png 'C:\Users\x\T.PNG' /home/x/t.png other/u.png; do
+    printf 'newmtl a\nmap_Kd %s\n' "$texture" >root/meshes/t.mtl
+    found=$(rooted t.mtl)
+    check "$texture is found" [ "$found" != "$(root="$root --no-textures" rooted t.mtl)" ]
+    same_there root/meshes/a.obj --root=root --size=16 -o OUT.png
+    check "$texture: $(cat "$err")" [ ! -s "$err" ]
+    same_there root/meshes/a.obj --size=16 -o OUT.png
+done
+check "the root of a lost texture: $(cat "$err")" grep -q 'No such file' "$err"
+printf 'newmtl a\nmap_Kd ../textures/t.png\n' >root/meshes/t.mtl
+same_there root/meshes/a.obj --size=16 -o OUT.png
+check "the root that helps: $(cat "$err")" grep -q 'outside the folder of the file; --root=root/meshes/.. allows it$' "$err"
+same_there root/meshes/a.obj --root=root/lib --size=16 -o OUT.png
+check "a root elsewhere: $(cat "$err")" grep -q 'root: root/lib: does not contain the input; name a folder above it' "$err"
+same_there root/meshes/a.obj --root=none --size=16 -o OUT.png
+printf 'newmtl a\nmap_Kd ../textures/t.png\n' >root/meshes/t.mtl
+cp root/meshes/a.obj root/lib/b.obj
+(cd root && python3 -c "import shutil; shutil.make_archive('../kit', 'zip', '.')")
+same_there kit.zip -o OUT.png
+for name in kit.zip:a.obj kit.zip:meshes/A.obj kit.zip:lib/b.obj kit.zip:none.obj; do
+    same_there "$name" --size=16 -o OUT.png
+done
+run render kit.zip:a.obj --sandbox --size=16 --json -o s.png
+in_archive=$(json hash)
+run render root/meshes/a.obj --root=root --size=16 --json -o s.png
+check "an archive is drawn as its folder" [ "$in_archive" = "$(json hash)" ]
+run batch kit.zip:lib/b.obj -d made --size=16
+check "a batch of an archive: $(cat "$err")" [ -s made/b.png ]
+rm -rf root secret.mtl kit.zip s.png made
 
 # A wall that can't be built is an error of each process that has one: where Landlock has no room for another domain.
 full() { # ARGUMENTS...

@@ -127,28 +127,15 @@ static void place_file(int descriptor, const uint8_t *bytes, size_t size) {
     close(file);
 }
 
-/* An archive of a model and another part. */
-static burnish_status load_model(const uint8_t *bytes, size_t size,
-                                 const burnish_load_options *options, burnish_mesh **scene,
-                                 burnish_error *error) {
-    static zip_list zip;
-    const uint8_t *end = memchr(bytes, 0, size);
-    const size_t first = end ? (size_t)(end - bytes) : size, second = end ? size - first - 1 : 0;
-    zip.size = zip.directory_size = zip.count = 0;
-    put_part(&zip, "3D/3dmodel.model", bytes, first, 0);
-    put_part(&zip, second_part_name(bytes + size - second, second), bytes + size - second, second,
-             0);
-    end_zip(&zip, 0);
-    return burnish_mesh_load_memory(zip.bytes, zip.size, "fuzz", options, scene, error);
-}
-
 static burnish_status load(const uint8_t *bytes, size_t size, int from_file,
                            const burnish_load_options *options, burnish_mesh **scene,
                            burnish_error *error) {
     static const uint8_t pixel[] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 24, 0, 1, 2, 3};
     const uint8_t *end = memchr(bytes, 0, size);
-    if (options->format == BURNISH_FORMAT_3MF && (size < 2 || memcmp(bytes, "PK", 2) != 0)) {
-        return load_model(bytes, size, options, scene, error);
+    if (options->format == BURNISH_FORMAT_3MF && size > 0 &&
+        (size < 2 || memcmp(bytes, "PK", 2) != 0)) {
+        const zip_list *zip = pack_parts((const char *)bytes, size);
+        return burnish_mesh_load_memory(zip->bytes, zip->size, "fuzz", options, scene, error);
     }
     if (options->format != BURNISH_FORMAT_OBJ || !end) {
         end = bytes + size;

@@ -437,7 +437,10 @@ static void test_obj(void) {
     const burnish_material *material = burnish_mesh_get_material(mesh, 0);
     const burnish_texture_use *color = &material->textures[BURNISH_TEXTURE_COLOR];
     const burnish_texture_use *specular = &material->textures[BURNISH_TEXTURE_SPECULAR];
-    CHECK_TEXT(f.asked, "a.mtl|tex/my skin.png|x.png|h.png|missing.png|tex/my skin.png|");
+    CHECK_TEXT(
+        f.asked,
+        "a.mtl|tex/my skin.png|x.png|h.png|missing.png|textures/missing.png|texture/missing.png|"
+        "materials/textures/missing.png|materials/missing.png|tex/my skin.png|");
     CHECK1(material->diffuse[0] == 1 && material->ambient[1] == 1 && material->has_diffuse);
     CHECK1(color->transform[0] == 2 && color->transform[4] == 3 && color->transform[2] == 0.5f &&
            color->transform[5] == 0.25f && color->wrap[0] == BURNISH_WRAP_REPEAT);
@@ -449,7 +452,8 @@ static void test_obj(void) {
     CHECK(burnish_mesh_get_warning_count(mesh) == 2, "%zu", burnish_mesh_get_warning_count(mesh));
     CHECK_TEXT(burnish_mesh_get_warning(mesh, 0), "a.mtl:4: map_Kd: -mm is not drawn");
     CHECK_TEXT(burnish_mesh_get_warning(mesh, 1),
-               "m.obj: texture \"C:\\missing\\missing.png\" was skipped: not there");
+               "m.obj: texture \"C:\\missing\\missing.png\" was skipped: it is "
+               "outside the folder of the file; --root=.. allows it");
     burnish_mesh_destroy(mesh);
 }
 
@@ -612,7 +616,8 @@ static void test_ply_faces(void) {
         "0 0 0 192 192 192\n1 0 0 192 192 192\n0 1 0 192 192 192\n"
         "3 0 1 2 6 0 0 1 0 0 1 2\n3 2 1 0 6 0 0 1 0 0 1 0\n",
         &options);
-    CHECK_TEXT(f.asked, "m_A.png|missing.png|C.png|");
+    CHECK_TEXT(f.asked, "m_A.png|missing.png|textures/missing.png|texture/missing.png|"
+                        "materials/textures/missing.png|materials/missing.png|C.png|");
     CHECK1(burnish_mesh_get_texture_count(mesh) == 2 && burnish_mesh_get_material_count(mesh) == 3);
     CHECK1(burnish_mesh_get_material(mesh, 0)->textures[BURNISH_TEXTURE_COLOR].texture == 1 &&
            burnish_mesh_get_material(mesh, 1)->textures[BURNISH_TEXTURE_COLOR].texture == 0 &&

@@ -39,6 +39,13 @@ hash() { # FLAGS
 check "a texture in the file is drawn" [ "$(hash $models/Collada/duck.zae)" != "$(hash $models/Collada/duck.zae --no-textures)" ]
 check "materials have colours" [ "$(hash $models/FBX/cubes_with_names.fbx)" != "$(hash $models/FBX/cubes_with_names.fbx --color=1,1,1)" ]
 
+# A shininess below 1 is a share of 128, and fainter.
+for shine in 0.125 0; do
+    sed '/<shininess/,/<\/shininess/s/>16</>'$shine'</' $models/Collada/cube_UTF8BOM.dae >shine$shine.dae
+done
+check "a share has a highlight" [ "$(hash shine0.125.dae)" != "$(hash shine0.dae)" ]
+rm -f shine*.dae
+
 check "coordinates that the file leaves to be made" \
     [ "$(hash $models/LWO/LWO2/MappingModes/earth_spherical_y.lwo)" != "$(hash $models/LWO/LWO2/MappingModes/earth_spherical_y.lwo --no-textures)" ]
 run render $models/LWO/LWO2/MappingModes/earth_spherical_y.lwo --size=32 -o p.png

@@ -140,6 +140,20 @@ static inline const char *second_part_name(const void *bytes, size_t size) {
                                                           : "b";
 }
 
+/* An archive of the bytes before the first 0 and of those behind it: of 3MF or, if they are not XML,
+ * of an OBJ file and its library. */
+static inline zip_list *pack_parts(const char *bytes, size_t size) {
+    static zip_list zip;
+    const size_t first = strnlen(bytes, size), second = first < size ? size - first - 1 : 0;
+    const char *rest = bytes + size - second;
+    const int is_xml = *bytes == '<';
+    zip.size = zip.directory_size = zip.count = 0;
+    put_part(&zip, is_xml ? "3D/3dmodel.model" : "k/m/a.obj", bytes, first, 0);
+    put_part(&zip, is_xml ? second_part_name(rest, second) : "k/l/b.mtl", rest, second, 0);
+    end_zip(&zip, 0);
+    return &zip;
+}
+
 static inline burnish_status run_3mf(zip_list *zip) {
     end_zip(zip, 0);
     return read_bytes(BURNISH_FORMAT_3MF, zip->bytes, zip->size);

@@ -354,8 +354,8 @@ static burnish_status keep_triangles(burnish_builder *b, triangles_context *cont
                             "at least one whose corners are not on a line",
                             burnish_show_name(b->name).text, count, count == 1 ? " was" : "s were");
     }
-    /* up to 5 % are no news: the poles of a sphere have them */
-    if (status == BURNISH_STATUS_OK && count - context->next > count / 20) {
+    /* fewer are usual in sound files, and nothing that a user could see or repair */
+    if (status == BURNISH_STATUS_OK && count - context->next >= (count + 1) / 2) {
         burnish_mesh_data_warn(b->data, "%s: %zu of %zu triangles have no area and were left out",
                                burnish_show_name(b->name).text, count - context->next, count);
         status = b->memory->status;

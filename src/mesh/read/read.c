@@ -53,8 +53,7 @@ static int has_extension(const char *name, const char *extensions) {
     return 0;
 }
 
-/* AUTO: none. */
-static burnish_format format_of_name(const char *name) {
+burnish_format burnish_format_of_name(const char *name) {
     for (int i = BURNISH_FORMAT_COUNT - 1; i > 0 && name; --i) {
         if (formats[i].reader && has_extension(name, formats[i].info.extensions)) {
             return (burnish_format)i;
@@ -65,7 +64,7 @@ static burnish_format format_of_name(const char *name) {
 
 burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const char *name) {
     enum { LOOKED_AT = 512 };
-    const burnish_format named = format_of_name(name);
+    const burnish_format named = burnish_format_of_name(name);
     burnish_format guess = BURNISH_FORMAT_AUTO;
     int most = 0;
     /* text or an archive that starts like another format, not like the named one */
@@ -175,7 +174,7 @@ static const char *shown_format(burnish_format format) {
 /* Warns of a file whose contents contradict its name. For a streamed input, this is not a reason
  * to read all of it. */
 static void warn_misnamed(burnish_reader *reader, burnish_format format) {
-    const burnish_format named = format_of_name(reader->input->name);
+    const burnish_format named = burnish_format_of_name(reader->input->name);
     if (reader->input->options->format == BURNISH_FORMAT_AUTO && named != BURNISH_FORMAT_AUTO &&
         named != format && !reader->has_warned) {
         burnish_mesh_data_warn(reader->mesh, "%s: the file is %s, not %s as its name says",

@@ -14,6 +14,9 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format);
 /* The format recognised from bytes and name; AUTO if unknown. */
 burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const char *name);
 
+/* The format of the name's extension, also with ".gz"; AUTO: none, or no name. */
+burnish_format burnish_format_of_name(const char *name);
+
 /* Whether a longer stream that begins with these bytes may be of a format, or of any format if that
  * is AUTO. This keeps an endless stream of other data from filling the memory. Returns 1 in case of
  * doubt, and for BURNISH_FORMAT_COUNT. */

@@ -407,6 +407,31 @@ static void make_cone(int sides, double x) {
     }
 }
 
+/* A cylinder whose rim has a chamfer of 45 degrees. Both are bands of triangles that bend at all
+ * their edges, as the middle ring is half a step ahead. */
+static void make_chamfered_rim(int sides, double chamfer) {
+    point caps[2][64] = {{{0}}};
+    for (int i = 0; i < sides; ++i) {
+        point p[3][2], n[3][2], m[3][2];
+        for (int k = 0; k < 6; ++k) {
+            const int ring = k / 2, is_top = ring == 2;
+            const double angle = 2 * PI * ((i + k % 2) % sides + (ring == 1) / 2.0) / sides;
+            n[ring][k % 2] = (point){cos(angle), sin(angle), 0};
+            m[ring][k % 2] = unit((point){cos(angle), sin(angle), 1});
+            p[ring][k % 2] = scaled(n[ring][k % 2], 1 - is_top * chamfer);
+            p[ring][k % 2].z = (ring > 0) + is_top * chamfer;
+        }
+        add_polygon((point[]){p[0][0], p[0][1], p[1][0]}, (point[]){n[0][0], n[0][1], n[1][0]}, 3);
+        add_polygon((point[]){p[0][1], p[1][1], p[1][0]}, (point[]){n[0][1], n[1][1], n[1][0]}, 3);
+        add_polygon((point[]){p[1][0], p[1][1], p[2][1]}, (point[]){m[1][0], m[1][1], m[2][1]}, 3);
+        add_polygon((point[]){p[1][0], p[2][1], p[2][0]}, (point[]){m[1][0], m[2][1], m[2][0]}, 3);
+        caps[0][sides - 1 - i] = p[0][0];
+        caps[1][i] = p[2][0];
+    }
+    add_polygon(caps[0], NULL, sides);
+    add_polygon(caps[1], NULL, sides);
+}
+
 /* ---- The shapes ---- */
 
 /* make: with the numbers n and x. */
@@ -436,6 +461,7 @@ static const shape shapes[] = {
     {"low disc of 12 sides", make_cylinder, 12, 0.1, 1, 0},
     {"cone of 12 sides", make_cone, 12, 0, 4, 0},
     {"cone of 32 sides", make_cone, 32, 0, 4, 0},
+    {"rim with a chamfer", make_chamfered_rim, 24, 0.1, 4, 0},
     {"sphere of 12 x 6", make_sphere, 6, 0, 8, 0},
     {"sphere of 16 x 8", make_sphere, 8, 0, 4, 0},
     {"sphere of 48 x 24", make_sphere, 24, 0, 1, 0},

@@ -159,7 +159,7 @@ static void test_archives(void) {
     zip->size = zip->directory_size = zip->count = 0;
     put_part_text(zip, "word/document.xml", "<a/>");
     check_fault(run_3mf(zip), BURNISH_STATUS_FORMAT,
-                "mesh.3mf: a ZIP archive without a 3D model; of archives only 3MF is read");
+                "mesh.3mf: a ZIP archive of other parts, such as a document, without a 3D model");
 
     static const struct {
         size_t at; /* in the model's entry of the directory */

@@ -254,10 +254,7 @@ static int open_seed(const char *folder, const char *name, input *in) {
         in->library = rest + 1;
         in->file.size = (size_t)(rest - text);
     } else if (in->format == BURNISH_FORMAT_3MF && memcmp(text, "PK", 2) != 0) {
-        zip_list *zip = begin_3mf(text);
-        const size_t second = more > 0 ? more - 1 : 0;
-        put_part(zip, second_part_name(rest + 1, second), rest + 1, second, 0);
-        end_zip(zip, 0);
+        const zip_list *zip = pack_parts(text, size - 4);
         in->file.size = 0;
         add(&in->file, zip->bytes, zip->size);
     }

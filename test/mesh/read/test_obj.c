@@ -366,12 +366,14 @@ static void test_missing_libraries(void) {
     } cases[] = {
         {"mtllib x.mtl", "mesh.obj:1: material library \"x.mtl\" was not read (x.mtl: No such "
                          "file); its materials are burnish's grey"},
-        {"mtllib ../x.mtl", "mesh.obj:1: material library \"../x.mtl\" was not read (it is outside "
-                            "the folder of the file); its materials are burnish's grey"},
+        {"mtllib ../x.mtl",
+         "mesh.obj:1: material library \"../x.mtl\" was not read (it is outside "
+         "the folder of the file; --root=.. allows it); its materials are burnish's grey"},
         {"mtllib /etc/passwd", "mesh.obj:1: material library \"/etc/passwd\" was not read (it is "
                                "outside the folder of the file); its materials are burnish's grey"},
-        {"mtllib a\\..\\x", "mesh.obj:1: material library \"a\\..\\x\" was not read (it is outside "
-                            "the folder of the file); its materials are burnish's grey"},
+        {"mtllib a\\..\\..\\x",
+         "mesh.obj:1: material library \"a\\..\\..\\x\" was not read (it is outside "
+         "the folder of the file; --root=.. allows it); its materials are burnish's grey"},
         {"mtllib C:\\x", "mesh.obj:1: material library \"C:\\x\" was not read (it is outside the "
                          "folder of the file); its materials are burnish's grey"},
         {"# none", "mesh.obj: usemtl without mtllib: its materials are burnish's grey"},
@@ -513,8 +515,8 @@ static void test_undrawn(void) {
     read_good_with("mtllib my parts/a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"
                    "usemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n",
                    library);
-    check_warnings(1, "mesh.obj: texture \"my parts/mars.png\" was skipped: mars.png: No "
-                      "such file (and 2 more like it)");
+    check_warnings(1, "mesh.obj: texture \"my parts/mars.png\" was skipped: my parts/mars.png: "
+                      "No such file (and 2 more like it)");
     CHECK_OK(read_text(BURNISH_FORMAT_PLY,
                        "ply\nformat ascii 1.0\ncomment TextureFile moon.png\nelement vertex 3\n"
                        "property float x\nproperty float y\nproperty float z\nproperty uchar red\n"

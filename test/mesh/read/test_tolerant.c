@@ -4,7 +4,7 @@
 
 #include "burnish/mesh.h"
 #include "mesh_arrays.h"
-#include "reader_input.h"
+#include "zip_input.h"
 
 static const char *library; /* the text of every material library */
 
@@ -648,6 +648,76 @@ static void test_foreign(void) {
     }
 }
 
+/* ---- ZIP archives ---- */
+
+/* Puts the parts of a list of names, which blanks separate: a1.obj has 1 triangle. */
+static void put_parts(zip_list *zip, const char *names) {
+    char name[64], text[400];
+    for (int size; sscanf(names, "%63s%n", name, &size) == 1; names += size) {
+        const char *digit = strpbrk(name, "123456789");
+        const int count = digit ? *digit - '0' : 1, is_off = strstr(name, ".off") != NULL;
+        snprintf(text, sizeof text,
+                 is_off ? "OFF 3 %d 0\n0 0 0\n1 0 0\n0 1 0\n"
+                        : "mtllib ../m/a.mtl\nv 0 0 %d\nv 1 0 0\nv 0 1 0\nusemtl a\n",
+                 count);
+        for (int i = 0; i < count; ++i) {
+            strcat(text, is_off ? "3 0 1 2\n" : "f 1 2 3\n");
+        }
+        put_part_text(zip, name, text);
+    }
+}
+
+/* One model is drawn, one of several is chosen by its name, and what systems add is ignored. */
+static void test_archives(void) {
+    static const struct {
+        const char *parts, *name;
+        size_t triangles;
+        const char *message; /* or a warning */
+    } cases[] = {
+        {"x/a1.obj", "kit.zip", 1, NULL},
+        {"x/a2.obj __MACOSX/x/a3.obj .b4.obj x/.c/a5.obj x/readme.txt", "a/kit.zip", 2, NULL},
+        {"x/a3.obj", "standard input", 3, NULL},
+        {"x/a3.obj", "part.stl", 3, NULL},
+        {"x/a3.obj x/b2.obj", "kit.zip:X/B2.obj", 2, NULL},
+        {"x/a3.obj y/b2.obj", "Kit.ZIP:b2.obj", 2, NULL},
+        {"x/a.obj x/a.off", "kit.zip", 1, NULL},
+        {"x/a3.obj x/b2.obj", "in/kit.zip", 0,
+         "in/kit.zip: an archive of several models (x/a3.obj, x/b2.obj); name one, as in "
+         "kit.zip:part.stl"},
+        {"x/a3.obj", "kit.zip:b", 0,
+         "kit.zip:b: no model of this name is in the archive (m/a.mtl, x/a3.obj); name one"},
+        {"x/a.fbx .a.obj", "kit.zip", 0,
+         "kit.zip: a ZIP archive without a model of a format that burnish reads in archives "
+         "(m/a.mtl, x/a.fbx); unpack it"},
+        {"a1.obj", "kit.zip", 1, "kit.zip:a1.obj:1: material library \"../m/a.mtl\" was not read"},
+        {"../x/a1.obj", "kit.zip", 0, "kit.zip: a ZIP archive without a model"},
+    };
+    static zip_list zip;
+    const burnish_load_options options = burnish_load_options_default();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const char *wanted = cases[i].message;
+        burnish_mesh *mesh;
+        burnish_error error = {0};
+        zip.size = zip.directory_size = zip.count = 0;
+        put_part_text(&zip, "m/a.mtl", "newmtl a\nKd 1 0 0\n");
+        put_parts(&zip, cases[i].parts);
+        end_zip(&zip, 0);
+        burnish_mesh_load_memory(zip.bytes, zip.size, cases[i].name, &options, &mesh, &error);
+        const size_t triangles = mesh ? burnish_mesh_get_view(mesh)->triangle_count : 0;
+        const char *line = burnish_mesh_get_warning_count(mesh) > 0
+                               ? burnish_mesh_get_warning(mesh, 0)
+                               : error.text;
+        CHECK(triangles == cases[i].triangles, "%s: %zu, %s", cases[i].parts, triangles, line);
+        CHECK(wanted ? strncmp(line, wanted, strlen(wanted)) == 0 : !*line, "%s: %s",
+              cases[i].parts, line);
+        if (mesh && !wanted) {
+            const burnish_material *material = burnish_mesh_get_material(mesh, 0);
+            CHECK(material->diffuse[0] == 1 && material->diffuse[1] == 0, "%s", cases[i].parts);
+        }
+        burnish_mesh_destroy(mesh);
+    }
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_nameless_material());
@@ -665,6 +735,7 @@ int main(int count, char **arguments) {
     RUN(test_libraries());
     RUN(test_gzip());
     RUN(test_gzip_bomb());
+    RUN(test_archives());
     RUN(test_utf16());
     RUN(test_bad_values());
     RUN(test_foreign());

@@ -129,7 +129,8 @@ static int is_flat_beyond(const burnish_surface *s, const face *f, const uint32_
 }
 
 /* Whether two faces that bend at all their edges belong to a curved surface. All edges of an
- * icosahedron are steep, and facets of a pocket have edges around them and larger flat faces beyond
+ * icosahedron are steep; a steep edge among gentle ones is where two curves meet, as a chamfer
+ * around a corner. And facets of a pocket have edges around them and larger flat faces beyond
  * these. Few edges of a scan are that sharp, so the search for flat faces is rare. */
 static int is_curved(const burnish_surface *s, const face faces[2], const uint32_t edge[2],
                      face outer[2][2], double cosine) {
@@ -144,7 +145,7 @@ static int is_curved(const burnish_surface *s, const face faces[2], const uint32
         const uint32_t side[2] = {edge[i % 2], third};
         flat += is_flat_beyond(s, &outer[i / 2][i % 2], side);
     }
-    return flat <= 2 && (cosine > STEP_COSINE || steep <= 2);
+    return flat <= 2 && (cosine > STEP_COSINE || (steep <= 2 && sharp > 0));
 }
 
 /* ---- steps of a curve ---- */

@@ -5,15 +5,15 @@
 
 #include "image/decode/decode.h"
 #include "mesh/data/material.h"
-#include "mesh/read/io/beside.h"
 #include "mesh/read/io/budget.h"
+#include "mesh/read/io/companions.h"
 
 enum {
     TABLE_SIZE = 8192,          /* a power of two */
     NAMES_MAX = TABLE_SIZE / 2, /* files that one input may name */
-    NAME_SIZE = 4096,
-    AHEAD_MAX = 256,      /* pictures that are decoded ahead */
-    WAVE_MAX = 64,        /* pictures that are decoded at the same time */
+    SEARCHED_MAX = 256,         /* of them, those searched in several folders */
+    AHEAD_MAX = 256,            /* pictures that are decoded ahead */
+    WAVE_MAX = 64,              /* pictures that are decoded at the same time */
     AHEAD_REFUSED = 8,    /* after so many failures the others wait, since each may take long */
     MOST_TEXELS = 1 << 28 /* BURNISH_TEXTURE_PIXELS_AUTO */
 };
@@ -38,7 +38,7 @@ typedef struct ahead_picture {
 
 struct burnish_texture_names {
     texture_name table[TABLE_SIZE]; /* open addressing */
-    size_t count;
+    size_t count, searched;
     uint64_t texels; /* decoded so far, including damaged pictures */
     burnish_warning_group missing;
     ahead_picture *ahead; /* in the order of their sources */
@@ -103,8 +103,9 @@ static void close_textures(burnish_reader *reader) {
 
 static void note_missing(burnish_reader *reader, const uint8_t *at, const char *name,
                          const char *why) {
-    burnish_reader_note(reader, &reader->textures->missing, at, "texture \"%.80s\" was skipped: %s",
-                        name, why);
+    const size_t size = strlen(name);
+    burnish_reader_note(reader, &reader->textures->missing, at, "texture \"%s\" was skipped: %s",
+                        size > 80 ? name + size - 80 : name, why);
 }
 
 /* ---- Decoding ---- */
@@ -292,11 +293,32 @@ static void close_file(const burnish_reader *reader, const file_bytes *file) {
     }
 }
 
-/* The file of that name, or else its last part next to the input. */
-static file_bytes find_file(burnish_reader *reader, const char *name, burnish_error *why) {
-    char path[NAME_SIZE];
+/* Searches the usual folders for the last part of a path. */
+static file_bytes search_file(burnish_reader *reader, const char *base) {
+    static const char *const folders[] = {
+        "textures",           "../textures",           "texture",   "../texture",
+        "materials/textures", "../materials/textures", "materials", "../materials"};
+    enum { LONGEST = 32 }; /* of the folders */
+    char name[BURNISH_COMPANION_SIZE + LONGEST], path[BURNISH_COMPANION_SIZE];
     file_bytes file = {0};
-    if (strlen(name) >= sizeof path) {
+    for (size_t i = 0; i < sizeof folders / sizeof *folders && !file.is_found &&
+                       reader->mesh->memory.status == BURNISH_STATUS_OK;
+         ++i) {
+        burnish_error unused = {0};
+        snprintf(name, sizeof name, "%s/%s", folders[i], base);
+        if (burnish_companion_path(reader->input, name, path)) {
+            file = open_file(reader, path, &unused);
+        }
+    }
+    return file;
+}
+
+/* The file of that name, or else its last part next to the input or in the usual folders. */
+static file_bytes find_file(burnish_reader *reader, const char *name, burnish_error *why) {
+    char path[BURNISH_COMPANION_SIZE], spelled[BURNISH_COMPANION_SIZE];
+    burnish_error unused = {0};
+    file_bytes file = {0};
+    if (strlen(name) >= sizeof spelled) {
         burnish_fail(why, BURNISH_STATUS_READ, "its name is not a file name");
         return file;
     }
@@ -305,17 +327,27 @@ static file_bytes find_file(burnish_reader *reader, const char *name, burnish_er
         return file;
     }
     for (size_t i = 0; i <= strlen(name); ++i) {
-        path[i] = name[i] == '\\' ? '/' : name[i];
+        spelled[i] = name[i] == '\\' ? '/' : name[i];
     }
-    const char *slash = strrchr(path, '/');
-    if (*path && burnish_stays_beside(path)) {
+    if (burnish_companion_path(reader->input, spelled, path)) {
         file = open_file(reader, path, why);
-    } else if (!slash || !slash[1] || !burnish_stays_beside(slash + 1)) {
-        burnish_fail(why, BURNISH_STATUS_READ, "it is outside the folder of the file");
+    } else {
+        const int is_lost =
+            *spelled == '/' || (*spelled && spelled[1] == ':'); /* often in a folder near by */
+        burnish_companion_outside(reader->input, is_lost ? "../" : spelled, why);
     }
-    if (!file.is_found && slash && slash[1] && burnish_stays_beside(slash + 1) &&
-        reader->mesh->memory.status == BURNISH_STATUS_OK) {
-        file = open_file(reader, slash + 1, why);
+    const char *slash = strrchr(spelled, '/'), *base = slash ? slash + 1 : spelled;
+    const int is_name = *base && strcmp(base, ".") != 0 && strcmp(base, "..") != 0;
+    if (!file.is_found && slash && is_name && reader->mesh->memory.status == BURNISH_STATUS_OK &&
+        burnish_companion_path(reader->input, base, path)) {
+        file = open_file(reader, path, &unused);
+    }
+    if (!file.is_found && is_name && reader->textures->searched < SEARCHED_MAX) {
+        reader->textures->searched += 1;
+        file = search_file(reader, base);
+    }
+    if (!file.is_found) {
+        burnish_companion_missing(reader->input, why);
     }
     return file;
 }

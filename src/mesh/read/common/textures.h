@@ -7,8 +7,9 @@
 #include "mesh/read/io/reader.h"
 
 /* The texture in the file `name`, decoded as RGBA. The name comes from the input and is not
- * trusted. Backslashes count as slashes. If the name leads out of the input's folder, or no file
- * has it, its last part is searched for next to the input. Equal names give one texture.
+ * trusted. Backslashes count as slashes. If the name leads out of the root, or no file has it, its
+ * last part is searched for next to the input and in the usual folders there, and next to the
+ * input's folder if the root contains it. Equal names give one texture.
  *   at        the byte of the input for the location of a warning; NULL: no location
  *   is_color  1: sRGB; 0: numbers
  * Returns 1 + its number in the mesh; 0 after a warning if it can't be loaded, or if memory is out

@@ -2,8 +2,8 @@
 #include "mesh/read/gltf/gltf.h"
 
 #include "mesh/read/gltf/meshopt.h"
-#include "mesh/read/io/beside.h"
 #include "mesh/read/io/budget.h"
+#include "mesh/read/io/companions.h"
 
 enum { FILE_NAME_SIZE = 4096 };
 
@@ -64,11 +64,6 @@ static size_t decode_percents(char *text, size_t size) {
     }
     text[written] = 0;
     return written;
-}
-
-/* Whether a name can be a file in the input's folder or below. */
-static int is_beside(const char *name) {
-    return *name && !strchr(name, '\\') && !strchr(name, ':') && burnish_stays_beside(name);
 }
 
 static int decode_data(burnish_gltf *gltf, uint32_t uri, uint8_t *text, size_t size,
@@ -143,17 +138,22 @@ int burnish_gltf_open_uri(burnish_gltf *gltf, uint32_t uri, burnish_gltf_buffer 
 }
 
 static int load_uri(burnish_gltf *gltf, uint32_t uri, burnish_gltf_buffer *buffer) {
-    char *name;
+    char *name, path[BURNISH_COMPANION_SIZE];
+    burnish_error why = {0};
     if (!burnish_gltf_open_uri(gltf, uri, buffer, &name) || !name) {
         return gltf->status == BURNISH_STATUS_OK;
     }
     int good = 0;
-    if (!is_beside(name)) {
+    if (!*name || *name == '/' || strchr(name, '\\') || strchr(name, ':')) {
         burnish_gltf_fail(gltf, BURNISH_STATUS_READ, uri,
                           "\"%s\" is not a file in the folder of the input; put it there",
                           burnish_show_name(name).text);
+    } else if (!burnish_companion_path(gltf->reader->input, name, path)) {
+        burnish_companion_outside(gltf->reader->input, name, &why);
+        burnish_gltf_fail(gltf, BURNISH_STATUS_READ, uri, "\"%s\": %s",
+                          burnish_show_name(name).text, why.text);
     } else {
-        good = load_file(gltf, uri, name, gltf->bytes_left, buffer);
+        good = load_file(gltf, uri, path, gltf->bytes_left, buffer);
     }
     burnish_release(gltf->memory->context, name);
     return good;

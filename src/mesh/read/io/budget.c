@@ -31,6 +31,9 @@ uint64_t burnish_companion_key(const char *name) {
 }
 
 int burnish_budget_companion(burnish_reader *reader, uint64_t key, uint64_t size) {
+    if (reader->input->is_archived) {
+        return 1;
+    }
     for (size_t i = 0; i < reader->companion_count; ++i) {
         if (reader->companions[i] == key) {
             const int is_left = size <= burnish_budget_unpacked_left(reader);

@@ -12,6 +12,9 @@ typedef struct burnish_reader_input {
     const char *name;   /* for messages */
     const burnish_load_options *options;
     burnish_file_loader companions; /* load NULL: not available */
+    const char *folder; /* of the input, below the one that companions are loaded from; NULL: the
+                           same one, and nothing may be outside it */
+    int is_archived;    /* 1: companions are parts of the input, and counted when unpacked */
     const struct burnish_streaming
         *streamed;     /* streaming.h: only the head is at `bytes`; NULL: all */
     size_t chunk_size; /* bytes of a chunk of text; 0: BURNISH_CHUNK_SIZE. Only tests set it. */

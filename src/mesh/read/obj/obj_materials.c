@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "mesh/read/common/textures.h"
-#include "mesh/read/io/beside.h"
+#include "mesh/read/io/companions.h"
 #include "mesh/read/obj/mtl.h"
 
 enum {
@@ -136,6 +136,7 @@ static burnish_status read_library(burnish_obj_materials *materials, const char 
 /* Reads one library by a name that ends in 0. *missing becomes 0 if the file exists. */
 static burnish_status load_library(burnish_obj_materials *materials, const char *name,
                                    burnish_error *why, int *missing) {
+    char path[BURNISH_COMPANION_SIZE];
     const burnish_reader_input *input = materials->reader->input;
     const burnish_file_loader *companions = &input->companions;
     const void *bytes = NULL;
@@ -144,7 +145,11 @@ static burnish_status load_library(burnish_obj_materials *materials, const char 
         burnish_fail(why, BURNISH_STATUS_READ, "the input has no folder");
         return BURNISH_STATUS_OK;
     }
-    burnish_status status = companions->load(companions->user_data, name,
+    if (!burnish_companion_path(input, name, path)) {
+        burnish_companion_outside(input, name, why);
+        return BURNISH_STATUS_OK;
+    }
+    burnish_status status = companions->load(companions->user_data, path,
                                              input->options->max_input_bytes, &bytes, &size, why);
     if (status == BURNISH_STATUS_MEMORY && materials->reader->error) {
         *materials->reader->error = *why;
@@ -188,21 +193,14 @@ static burnish_status open_library(burnish_obj_materials *materials, burnish_tok
         return status;
     }
     const int escaped = write_name(token, 0, name);
-    if (burnish_stays_beside(name)) {
-        status = load_library(materials, name, why, missing);
-    } else {
-        burnish_fail(why, BURNISH_STATUS_READ, "it is outside the folder of the file");
-    }
+    status = load_library(materials, name, why, missing);
     if (status == BURNISH_STATUS_OK && *missing && escaped) {
         write_name(token, 1, name);
-        if (burnish_stays_beside(name)) {
-            status = load_library(materials, name, why, missing);
-        }
+        status = load_library(materials, name, why, missing);
     }
     const char *slash = strrchr(name, '/');
     burnish_error unused = {0};
-    if (status == BURNISH_STATUS_OK && *missing && slash && slash[1] &&
-        burnish_stays_beside(slash + 1)) {
+    if (status == BURNISH_STATUS_OK && *missing && slash && slash[1]) {
         status = load_library(materials, slash + 1, &unused, missing);
         if (status == BURNISH_STATUS_OK && !*missing) {
             burnish_reader_note(materials->reader, &materials->elsewhere, token.bytes,

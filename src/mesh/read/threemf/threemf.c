@@ -104,9 +104,9 @@ static void find_start(burnish_threemf *threemf) {
         list_part(threemf, start);
     }
     if (threemf->parts.count == 0 && threemf->memory->status == BURNISH_STATUS_OK) {
-        threemf->status =
-            burnish_reader_fail(threemf->reader, BURNISH_STATUS_FORMAT, NULL,
-                                "a ZIP archive without a 3D model; of archives only 3MF is read");
+        threemf->status = burnish_reader_fail(
+            threemf->reader, BURNISH_STATUS_FORMAT, NULL,
+            "a ZIP archive of other parts, such as a document, without a 3D model");
     }
 }
 

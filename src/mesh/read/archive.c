@@ -1,0 +1,207 @@
+#include "mesh/read/archive.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/bytes.h"
+#include "base/inputs.h"
+#include "mesh/read/read.h"
+
+typedef struct part_name {
+    char text[BURNISH_ARCHIVE_NAME]; /* "": the part has no usable name */
+} part_name;
+
+static part_name name_of(const burnish_zip_part *part) {
+    part_name name = {""};
+    if (part->name_size < sizeof name.text && !memchr(part->name, 0, part->name_size)) {
+        memcpy(name.text, part->name, part->name_size);
+    }
+    return name;
+}
+
+static const char *base_of(const char *name) {
+    const char *slash = strrchr(name, '/');
+    return slash ? slash + 1 : name;
+}
+
+/* What systems add: __MACOSX, .DS_Store and other names with a dot. */
+static int is_hidden(const char *name) {
+    return name[0] == '.' || strncmp(name, "__MACOSX/", 9) == 0 || strstr(name, "/.") ||
+           strstr(name, "/__MACOSX/");
+}
+
+static int is_3mf(const burnish_zip *zip) {
+    return burnish_zip_find(zip, "_rels/.rels") || burnish_zip_find(zip, "[Content_Types].xml") ||
+           burnish_zip_find(zip, "3D/3dmodel.model");
+}
+
+/* ---- The model ---- */
+
+/* The models that an input may be. */
+typedef struct choice {
+    const burnish_zip_part *part; /* the best of `count` */
+    burnish_format format;        /* its */
+    size_t count, files;          /* files: of all kinds */
+    int are_several;              /* 1: their names differ not only in the extension */
+    char list[240];               /* their names, or those of other files */
+    size_t listed;
+} choice;
+
+static int is_wanted(const char *name, const char *member) {
+    return !member || strcasecmp(name, member) == 0 || strcasecmp(base_of(name), member) == 0;
+}
+
+static void list_name(choice *found, const char *name) {
+    const size_t used = strlen(found->list);
+    const burnish_shown_name shown = burnish_show_name(name);
+    if (used + strlen(shown.text) + 3 < sizeof found->list) {
+        snprintf(found->list + used, sizeof found->list - used, "%s%s", used > 0 ? ", " : "",
+                 shown.text);
+        found->listed += 1;
+    }
+}
+
+static void consider(choice *found, const burnish_zip_part *part, const char *name,
+                     burnish_format format) {
+    if (found->count > 0) {
+        const part_name best = name_of(found->part);
+        const char *one = base_of(name), *other = base_of(best.text);
+        const size_t stem = (size_t)(strrchr(one, '.') - one);
+        found->are_several |=
+            stem != (size_t)(strrchr(other, '.') - other) || strncasecmp(one, other, stem) != 0;
+    }
+    if (found->count == 0 || format < found->format) {
+        found->part = part;
+        found->format = format;
+    }
+    found->count += 1;
+    list_name(found, name);
+}
+
+static choice find_models(const burnish_zip *zip, burnish_format wanted, const char *member) {
+    choice found = {.count = 0}, others = {.count = 0};
+    for (size_t i = 0; i < zip->count; ++i) {
+        const part_name name = name_of(&zip->parts[i]);
+        const burnish_format format = burnish_format_of_name(name.text);
+        if (!*base_of(name.text) || is_hidden(name.text)) {
+            continue;
+        }
+        others.files += 1;
+        list_name(&others, name.text);
+        if (format != BURNISH_FORMAT_AUTO && (wanted == BURNISH_FORMAT_AUTO || wanted == format) &&
+            is_wanted(name.text, member) && strchr(base_of(name.text), '.')) {
+            consider(&found, &zip->parts[i], name.text, format);
+        }
+    }
+    return found.count > 0 ? found : others;
+}
+
+/* Fails unless the choice is clear. */
+static burnish_status check_choice(burnish_archive *archive, const choice *found,
+                                   const char *member) {
+    const size_t total = found->count > 0 ? found->count : found->files;
+    char more[40] = "";
+    if (found->count == 1 || (found->count > 1 && !found->are_several)) {
+        return BURNISH_STATUS_OK;
+    }
+    if (total > found->listed) {
+        snprintf(more, sizeof more, " and %zu more", total - found->listed);
+    }
+    return burnish_reader_fail(
+        &archive->reader,
+        found->count > 1 || member ? BURNISH_STATUS_ARGUMENT : BURNISH_STATUS_FORMAT, NULL,
+        "%s (%s%s); %s",
+        found->count > 1 ? "an archive of several models"
+        : member         ? "no model of this name is in the archive"
+                 : "a ZIP archive without a model of a format that burnish reads in archives",
+        found->list, more,
+        found->count > 1 ? "name one, as in kit.zip:part.stl"
+        : member         ? "name one"
+                         : "unpack it");
+}
+
+/* ---- Its files ---- */
+
+static burnish_status load_part(void *user_data, const char *name, uint64_t max_bytes,
+                                const void **bytes, size_t *size, burnish_error *error) {
+    burnish_archive *archive = user_data;
+    const burnish_zip_part *part = burnish_zip_find(&archive->zip, name);
+    uint8_t *unpacked;
+    if (!part || part->size > max_bytes) {
+        return burnish_fail(error, part ? BURNISH_STATUS_LIMIT : BURNISH_STATUS_READ, "%s: %s",
+                            burnish_show_name(name).text,
+                            part ? "is larger than the limit" : "is not in the archive");
+    }
+    archive->reader.error = error;
+    const burnish_status status = burnish_zip_read(&archive->zip, part, &unpacked, size);
+    *bytes = unpacked;
+    return status;
+}
+
+static void release_part(void *user_data, const void *bytes, size_t size) {
+    const burnish_archive *archive = user_data;
+    (void)size;
+    burnish_release(archive->reader.mesh->memory.context, (void *)(uintptr_t)bytes);
+}
+
+/* ---- Opening ---- */
+
+/* Makes the part the input. */
+static burnish_status take_model(burnish_archive *archive, const burnish_zip_part *part,
+                                 burnish_reader_input *input) {
+    burnish_memory *memory = &archive->reader.mesh->memory;
+    const part_name name = name_of(part);
+    const char *outer = archive->input.name, *member = burnish_archive_member(outer);
+    const size_t size = member ? (size_t)(member - outer) - 1 : strlen(outer);
+    const size_t most = sizeof archive->name - BURNISH_ARCHIVE_NAME - 1;
+    const size_t skipped = size > most ? size - most : 0;
+    snprintf(archive->name, sizeof archive->name, "%.*s:%s", (int)(size - skipped), outer + skipped,
+             name.text);
+    snprintf(archive->folder, sizeof archive->folder, "%.*s", (int)(base_of(name.text) - name.text),
+             name.text);
+    burnish_status status = burnish_zip_read(&archive->zip, part, &archive->bytes, &input->size);
+    input->bytes = archive->bytes;
+    input->name = archive->name;
+    input->folder = archive->folder;
+    input->companions = (burnish_file_loader){load_part, release_part, archive};
+    input->is_archived = 1;
+    if (input->options->ignore_referenced_files) {
+        input->companions = (burnish_file_loader){0};
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_unpack_input(input, memory, &archive->text);
+    }
+    input->packed_size = archive->input.packed_size;
+    return status;
+}
+
+burnish_status burnish_archive_open(burnish_archive *archive, burnish_reader_input *input,
+                                    burnish_mesh_data *data, burnish_error *error) {
+    if (input->streamed ||
+        burnish_guess_format(input->bytes, input->size, input->name) != BURNISH_FORMAT_3MF ||
+        !burnish_reader_3mf.recognise(input->bytes, input->size)) {
+        return BURNISH_STATUS_OK;
+    }
+    archive->input = *input;
+    archive->reader = (burnish_reader){.input = &archive->input, .mesh = data, .error = error};
+    burnish_status status = burnish_zip_open(&archive->zip, &archive->reader);
+    if (status == BURNISH_STATUS_OK && !is_3mf(&archive->zip)) {
+        const char *member = burnish_archive_member(input->name);
+        const burnish_format wanted = input->options->format;
+        const choice found = find_models(
+            &archive->zip, wanted == BURNISH_FORMAT_3MF ? BURNISH_FORMAT_AUTO : wanted, member);
+        status = check_choice(archive, &found, member);
+        if (status == BURNISH_STATUS_OK) {
+            status = take_model(archive, found.part, input);
+        }
+    }
+    return status;
+}
+
+void burnish_archive_close(burnish_archive *archive) {
+    if (archive->reader.mesh) {
+        burnish_release(archive->reader.mesh->memory.context, archive->bytes);
+        burnish_release(archive->reader.mesh->memory.context, archive->text);
+        burnish_zip_close(&archive->zip);
+    }
+}
