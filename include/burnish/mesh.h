@@ -50,6 +50,7 @@ extern "C" {
     X(PLY, ply, ".ply", 0, 1, 0)                                                                   \
     X(STL, stl, ".stl", 0, 0, 1)                                                                   \
     X(3MF, 3mf, ".3mf", 0, 0, 1)                                                                   \
+    X(GCODE, gcode, ".gcode .gco .bgcode", 0, 0, 1)                                                \
     X(BMS, bms, ".bms", 0, 1, 0)                                                                   \
     X(PCD, pcd, ".pcd", 0, 1, 0)                                                                   \
     X(LAS, las, ".las", 0, 0, 1)                                                                   \
@@ -111,10 +112,11 @@ typedef enum burnish_normals_source {
        and FILE draws balls. */
 } burnish_normals_source;
 
-/* Whether the picture that a 3MF package holds of itself is drawn, on a sheet that faces the viewer.
- * It is no geometry: burnish_mesh_info.is_thumbnail. */
+/* Whether the picture that a 3MF package or G-code holds of itself is drawn, on a sheet that faces the
+ * viewer. It is no geometry: burnish_mesh_info.is_thumbnail. */
 typedef enum burnish_thumbnail {
-    BURNISH_THUMBNAIL_AUTO,  /* if it has no mesh (sliced), or is encrypted, with a warning */
+    BURNISH_THUMBNAIL_AUTO, /* if it has no mesh (sliced), no path that can be read (binary G-code),
+                                or is encrypted, with a warning */
     BURNISH_THUMBNAIL_NEVER, /* such a file fails with FORMAT */
     BURNISH_THUMBNAIL_ONLY   /* always; other formats ignore it */
 } burnish_thumbnail;
@@ -403,6 +405,7 @@ BURNISH_API void burnish_mesh_get_bounds(const burnish_mesh *mesh, float low[3],
 typedef struct burnish_mesh_info {
     burnish_format format;          /* not AUTO */
     size_t point_count, line_count; /* in a file without faces: drawn as spheres and prisms */
+    size_t layer_count;             /* of G-code; its lines are the moves with filament */
     size_t thinning;                /* > 1: a preview of one in so many vertices or triangles, for
                         burnish_load_options.max_memory; 1: all */
     double read_seconds;            /* wall-clock time of opening and parsing, or copying arrays */
@@ -531,6 +534,7 @@ typedef struct burnish_plate {
 /* A filament of a print project. Filament i colours material i of the mesh. */
 typedef struct burnish_filament {
     uint8_t srgb[4]; /* with alpha */
+    double length;   /* that G-code uses, in millimetres; 0: unknown */
 } burnish_filament;
 
 /* What a file consists of. Empty for formats without parts. */

@@ -126,8 +126,10 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
                           "INPUT has no variants; omit the flag"};
     needs[4] = (cli_need){"plate", mesh && burnish_mesh_get_contents(mesh)->plate_count > 0,
                           "INPUT has no plates; omit the flag"};
-    needs[5] = (cli_need){"thumbnail", info && info->format == BURNISH_FORMAT_3MF,
-                          "only 3MF files hold pictures of themselves; omit the flag"};
+    needs[5] = (cli_need){
+        "thumbnail",
+        info && (info->format == BURNISH_FORMAT_3MF || info->format == BURNISH_FORMAT_GCODE),
+        "only 3MF files and G-code hold pictures of themselves; omit the flag"};
 }
 
 burnish_status cli_flag_plate(const cli_flag *flag, const char *text, void *target,

@@ -85,9 +85,9 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
 /* The rows; `type` has the cli_input `member`. */
 #define CLI_INPUT_FORMAT_FLAG(type, member)                                                        \
     .phases = CLI_PHASE_LOAD, .name = "input-format", .aliases = "force-reader,import-format",     \
-    .value = "NAME", .help = "fbx ... or", .default_text = "auto",                                 \
-    .manual = cli_input_format_manual, .handler = cli_flag_input_format,                           \
-    .words = cli_input_formats, .offset = offsetof(type, member.format)
+    .value = "NAME", .help = "fbx ...", .default_text = "auto", .manual = cli_input_format_manual, \
+    .handler = cli_flag_input_format, .words = cli_input_formats,                                  \
+    .offset = offsetof(type, member.format)
 
 #define CLI_TESSELLATION_FLAG(type, member)                                                        \
     .phases = CLI_PHASE_LOAD, .name = "tessellation",                                              \
@@ -136,10 +136,11 @@ enum { CLI_PLATE_SHEET = -1 };
 
 #define CLI_THUMBNAIL_FLAG(type, member)                                                           \
     .phases = CLI_PHASE_LOAD, .name = "thumbnail", .value = "WHEN",                                \
-    .help = "draw the picture in a 3MF", .default_text = "auto", .words = cli_thumbnails,          \
-    .manual = "*auto* draws the picture that a 3MF file holds of itself, with a warning, if the "  \
-              "file is sliced and has no mesh, or is encrypted. *never* refuses such files; "      \
-              "*only* draws nothing but the picture.",                                             \
+    .help = "draw the picture in a 3MF or G-code", .default_text = "auto",                         \
+    .words = cli_thumbnails,                                                                       \
+    .manual = "*auto* draws the picture that a 3MF or G-code file holds of itself, with a "        \
+              "warning, if the file is sliced and has no mesh, is encrypted, or is binary "        \
+              "G-code. *never* refuses such files; *only* draws nothing but the picture.",         \
     .handler = cli_flag_word, .offset = offsetof(type, member.thumbnail)
 
 #define CLI_POINT_SIZE_FLAG(type, member)                                                          \

@@ -109,11 +109,17 @@ static cJSON *filament_at(const void *from, size_t i) {
     return cJSON_CreateString(text);
 }
 
+static cJSON *length_at(const void *from, size_t i) {
+    const info_report *r = from;
+    return cJSON_CreateNumber(burnish_mesh_get_contents(r->mesh)->filaments[i].length);
+}
+
 static void add_contents(cJSON *root, const info_report *r, int *failed) {
     const burnish_contents *c = burnish_mesh_get_contents(r->mesh);
     cli_json_add(root, "parts", cli_json_array(c->part_count, part_at, r), failed);
     cli_json_add(root, "plates", cli_json_array(c->plate_count, plate_at, r), failed);
     cli_json_add(root, "filaments", cli_json_array(c->filament_count, filament_at, r), failed);
+    cli_json_add(root, "filament_lengths", cli_json_array(c->filament_count, length_at, r), failed);
 }
 
 static void print_size(FILE *stream, const info_report *r, int plate, size_t only) {
@@ -129,7 +135,11 @@ static void print_contents(FILE *stream, const info_report *r) {
     const burnish_contents *c = burnish_mesh_get_contents(r->mesh);
     for (size_t i = 0; i < c->filament_count; ++i) {
         const uint8_t *srgb = c->filaments[i].srgb;
-        fprintf(stream, "  filament %-11zu  #%02X%02X%02X\n", i + 1, srgb[0], srgb[1], srgb[2]);
+        fprintf(stream, "  filament %-11zu  #%02X%02X%02X", i + 1, srgb[0], srgb[1], srgb[2]);
+        if (c->filaments[i].length > 0) {
+            fprintf(stream, ", %.2f m", c->filaments[i].length / 1000);
+        }
+        fputc('\n', stream);
     }
     for (size_t i = 0; i < c->plate_count; ++i) {
         fprintf(stream, "  plate %-14d  \"", c->plates[i].number);
@@ -248,6 +258,7 @@ cJSON *info_make_json(const info_report *r, int *failed) {
                  r->facts ? cli_json_count(r->facts->vertex_count) : cJSON_CreateNull(), failed);
     cli_json_add(root, "points", cli_json_count(info->point_count), failed);
     cli_json_add(root, "lines", cli_json_count(info->line_count), failed);
+    cli_json_add(root, "layers", cli_json_count(info->layer_count), failed);
     cli_json_add(root, "thumbnail", cJSON_CreateBool(info->is_thumbnail), failed);
     cli_json_add(root, "materials", cli_json_count(burnish_mesh_get_material_count(r->mesh)),
                  failed);
@@ -459,6 +470,9 @@ void info_print_text(FILE *stream, const info_report *r) {
     }
     fprintf(stream, "%zu material%s\n\n", materials, materials == 1 ? "" : "s");
     print_variants(stream, r->mesh);
+    if (info->layer_count > 0) {
+        fprintf(stream, "  %-20s  %zu\n", "layers", info->layer_count);
+    }
     print_contents(stream, r);
     print_box(stream, r);
     if (r->facts) {

@@ -75,11 +75,14 @@ static const cli_term json_terms[] = {
     {"*transmissive*", "materials through which light passes (glTF)"},
     {"*variants*", "names for *--variant* (glTF)"},
     {"*thumbnail*", "true if there is only a picture, no geometry; *triangles* is then 0"},
+    {"*layers*", "of G-code, whose *lines* are the moves with filament and whose *parts* are its "
+                 "features; 0 for others"},
     {"*parts*", "of 3MF: name, role (solid, negative volume, modifier, support blocker, support "
                 "enforcer, support, not printed), id of the object, plate, filament, number of "
                 "triangles, size. Only solids are drawn and measured; volumes do not have negative "
                 "volumes subtracted"},
     {"*plates, filaments*", "of a slicer's project: number, name and size; colours"},
+    {"*filament_lengths*", "that G-code uses, in mm; 0 if unknown"},
     {"*unit*", "of lengths, from 3MF or glTF: micron, millimeter, centimeter, inch, foot or meter; "
                "null if unknown"},
     {"*bounding_box*", "*min*, *max* and *size* of the triangles with area, or of the positions of "

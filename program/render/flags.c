@@ -525,8 +525,8 @@ static const cli_flag flags[] = {
                "be repeated up to 6 times. Cuts through a solid, a closed mesh with consistent "
                "winding, are filled and hatched; cuts through other meshes and transparent "
                "surfaces are not. The camera frames the rest."},
-    {LOAD_FLAG("color-by", "VALUE", "height, normal, part, filament or a property", cli_flag_text,
-               input.coloring.by),
+    {LOAD_FLAG("color-by", "VALUE", "height, normal, part (feature), filament (tool) or a property",
+               cli_flag_text, input.coloring.by),
      .not_for = HEIR_COMPARE | HEIR_VIEW, .svg = CLI_SVG_REFUSED, .also = "coloring-array,scalars",
      .aliases = "scalar-coloring",
      .manual =
@@ -534,7 +534,8 @@ static const cli_flag flags[] = {
          "the up axis, *normal* (red, green and blue are the directions X, Y and Z), or a scalar "
          "property of the points or vertices of a PLY, PCD, LAS, XYZ or glTF file, such as "
          "*intensity* or *_HEAT*; or the "
-         "*part* or *filament* of a print project (3MF). Values "
+         "*part* or *filament* of a print project (3MF, G-code; there *feature* and *tool* are the "
+         "same). Values "
          "are interpolated over triangles and then mapped. A legend shows the range; framing "
          "leaves room for it. Not for *--look=drawing*, which has no colours."},
     {LOAD_FLAG("color-map", "NAME", "map of --color-by", cli_flag_word, input.coloring.map),

@@ -115,7 +115,7 @@ static const cli_term json_terms[] = {
      "what *--color-by* names, and the values of the first and the last colour; null without it"},
     {"*thinning*", "1, or of how many vertices or triangles one is drawn for *--max-memory*"},
     {"*points, lines*", "of an input without faces, which are drawn as discs and rods"},
-    {"*thumbnail*", "true if the picture that a 3MF file holds is drawn, no geometry"},
+    {"*thumbnail*", "true if the picture that a 3MF or G-code file holds is drawn, no geometry"},
     {"*bounding_box, unit*",
      "*min* and *max* of the object, for points and lines without the solids that are drawn; the "
      "unit, such as millimeter, if the input has one (3MF, glTF), else null"},

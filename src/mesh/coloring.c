@@ -248,7 +248,7 @@ static burnish_status check_coloring(const burnish_mesh *mesh, const burnish_col
         ((coloring->source == BURNISH_COLOR_BY_PART && mesh->contents.part_count == 0) ||
          (coloring->source == BURNISH_COLOR_BY_FILAMENT && mesh->contents.filament_count == 0))) {
         status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                              "colours: the mesh has no %s; only 3MF files have them",
+                              "colours: the mesh has no %s; only print projects have them",
                               coloring->source == BURNISH_COLOR_BY_PART ? "parts" : "filaments");
     }
     return status;

@@ -47,6 +47,7 @@ static const struct layer {
     {"src/mesh/read/common", "base core image/decode mesh/data mesh/read/io"},
     {"src/mesh/read/io", "base core image/decode mesh/data burnish/core.h"},
     {"src/mesh/read/cloud", "base mesh/read/io mesh/read/ply"},
+    {"src/mesh/read/gcode", "base core mesh/data mesh/read/common mesh/read/io"},
     {"src/mesh/read/gltf", "base core mesh/data mesh/read/common mesh/read/io"},
     {"src/mesh/read/obj", "base core mesh/data mesh/read/common mesh/read/io"},
     {"src/mesh/read/ply", "base core mesh/data mesh/read/common mesh/read/io"},

@@ -59,7 +59,7 @@ for seed in seeds/*/*; do
     tail -c +5 "$seed" >"$name.$format"
     [ "$(head -c 4 "$name.$format")" != glTF ] || mv "$name.$format" "$name.glb"
 done
-for extension in stl obj ply off gltf glb 3mf bms; do
+for extension in stl obj ply off gltf glb 3mf gcode bms; do
     drawn=0
     for file in files/*."$extension"; do
         "$burnish" render "$file" --no-libraries --quiet --no-background --size=128 -o wanted.png 2>/dev/null || continue

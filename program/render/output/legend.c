@@ -47,11 +47,17 @@ static float label_room(const double range[2], float text) {
 static void draw_names(const render_result *result, burnish_image *image, float text,
                        const uint8_t ink[3]) {
     const burnish_contents *c = burnish_mesh_get_contents(result->mesh);
-    const int by_part = strcmp(result->settings->input.coloring.by, "part") == 0;
+    const int by_part = render_names_parts(&result->settings->input.coloring);
     const int smaller = image->width < image->height ? image->width : image->height;
-    const int size = (int)text, left = image->width - (int)(RENDER_LEGEND_INSET * smaller);
-    int top = image->height / 8;
-    for (size_t i = 0; i < (by_part ? c->part_count : c->filament_count); ++i) {
+    const size_t count = by_part ? c->part_count : c->filament_count;
+    const int size = (int)text;
+    int left = image->width - (int)(RENDER_LEGEND_INSET * smaller), top = image->height / 8;
+    for (size_t i = 0; i < count && by_part; ++i) { /* the longest one fits */
+        const float length = burnish_image_draw_text(NULL, 0, 0, text, ink, c->parts[i].name);
+        const int first = image->width - (int)length - 4 * size;
+        left = first < left ? first > 0 ? first : 0 : left;
+    }
+    for (size_t i = 0; i < count; ++i) {
         char label[BURNISH_NAME_SIZE];
         uint8_t srgb[3];
         const int box[4] = {left, top, left + size, top + size};

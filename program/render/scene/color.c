@@ -14,8 +14,13 @@ int render_colors_by_property(const render_coloring *coloring) {
            !render_colors_by_part(coloring);
 }
 
+int render_names_parts(const render_coloring *coloring) {
+    return is_word(coloring, "part") || is_word(coloring, "feature");
+}
+
 int render_colors_by_part(const render_coloring *coloring) {
-    return is_word(coloring, "part") || is_word(coloring, "filament");
+    return render_names_parts(coloring) || is_word(coloring, "filament") ||
+           is_word(coloring, "tool");
 }
 
 burnish_status render_color(const render_settings *settings, burnish_mesh *mesh, double range[2],
@@ -29,7 +34,8 @@ burnish_status render_color(const render_settings *settings, burnish_mesh *mesh,
     if (render_colors_by_property(wanted) && format != BURNISH_FORMAT_PLY &&
         format != BURNISH_FORMAT_GLTF && format < BURNISH_FORMAT_PCD) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--color-by: \"%.60s\" is none of height, normal, part and filament, and "
+                        "--color-by: \"%.60s\" is none of height, normal, part, feature, "
+                        "filament and tool, and "
                         "only PLY, PCD, LAS, XYZ and glTF files have other properties",
                         wanted->by);
     }
@@ -37,11 +43,11 @@ burnish_status render_color(const render_settings *settings, burnish_mesh *mesh,
     memcpy(coloring.up, stance.up, sizeof coloring.up);
     memcpy(coloring.range, wanted->range, sizeof coloring.range);
     coloring.map = (burnish_color_map)wanted->map;
-    coloring.source = is_word(wanted, "height")     ? BURNISH_COLOR_BY_HEIGHT
-                      : is_word(wanted, "normal")   ? BURNISH_COLOR_BY_NORMAL
-                      : is_word(wanted, "part")     ? BURNISH_COLOR_BY_PART
-                      : is_word(wanted, "filament") ? BURNISH_COLOR_BY_FILAMENT
-                                                    : BURNISH_COLOR_BY_PROPERTY;
+    coloring.source = is_word(wanted, "height")       ? BURNISH_COLOR_BY_HEIGHT
+                      : is_word(wanted, "normal")     ? BURNISH_COLOR_BY_NORMAL
+                      : render_names_parts(wanted)    ? BURNISH_COLOR_BY_PART
+                      : render_colors_by_part(wanted) ? BURNISH_COLOR_BY_FILAMENT
+                                                      : BURNISH_COLOR_BY_PROPERTY;
     return burnish_mesh_color_by(mesh, &coloring, range, error);
 }
 

@@ -11,6 +11,8 @@
 int render_colors_by_property(const render_coloring *coloring);
 
 /* 1: by part or filament, whose legend has names. */
+/* "part" or "feature", and these, "filament" or "tool". */
+int render_names_parts(const render_coloring *coloring);
 int render_colors_by_part(const render_coloring *coloring);
 
 /* Colours the mesh, if asked for; range receives its values. Errors: ARGUMENT, MEMORY. */

@@ -80,6 +80,7 @@ static void describe_mesh(burnish_builder *b) {
     b->mesh->info.point_count = b->data->point_count;
     b->mesh->info.thinning = b->data->thinning > 1 ? b->data->thinning : 1;
     b->mesh->info.line_count = b->data->line_count;
+    b->mesh->info.layer_count = b->data->layer_count;
     b->mesh->has_beside = b->data->beside_count > 0;
     memcpy(b->mesh->points_min, b->data->points_min, sizeof b->mesh->points_min);
     memcpy(b->mesh->points_max, b->data->points_max, sizeof b->mesh->points_max);

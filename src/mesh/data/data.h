@@ -56,6 +56,7 @@ typedef struct burnish_mesh_data {
     size_t thinning; /* > 1: a preview, of one in so many points or triangles; else all */
     float inner_min[3], inner_max[3];   /* of a point cloud: what is framed (read/common/cloud.h) */
     size_t line_count;                  /* drawn as triangles */
+    size_t layer_count;                 /* burnish_mesh_info.layer_count */
     size_t beside_count;                /* of the last triangles: lines and points beside faces */
     float points_min[3], points_max[3]; /* bounds of the lines' ends, and of faces beside them */
     float up_axis[3];                   /* unit length; all 0: the format's */

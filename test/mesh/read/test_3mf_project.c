@@ -347,7 +347,7 @@ static void test_triangle_parts(void) {
     burnish_coloring coloring = burnish_coloring_default();
     coloring.source = BURNISH_COLOR_BY_FILAMENT;
     check_fault(burnish_mesh_color_by(mesh, &coloring, NULL, &fault), BURNISH_STATUS_ARGUMENT,
-                "colours: the mesh has no filaments; only 3MF files have them");
+                "colours: the mesh has no filaments; only print projects have them");
     coloring.source = BURNISH_COLOR_BY_PART;
     CHECK_OK(burnish_mesh_color_by(mesh, &coloring, NULL, &fault), fault);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);

@@ -2,50 +2,13 @@
 #include "mesh/read/gltf/gltf.h"
 
 #include "mesh/read/gltf/meshopt.h"
+#include "mesh/read/io/base64.h"
 #include "mesh/read/io/budget.h"
 #include "mesh/read/io/companions.h"
 
 enum { FILE_NAME_SIZE = 4096 };
 
 /* ---- URIs ---- */
-
-/* The six bits of a character of base64, either alphabet; 64: none. */
-static unsigned sextet(uint8_t c) {
-    if (c >= 'A' && c <= 'Z') {
-        return c - 'A';
-    }
-    if (c >= 'a' && c <= 'z') {
-        return c - 'a' + 26u;
-    }
-    if (c >= '0' && c <= '9') {
-        return c - '0' + 52u;
-    }
-    return c == '+' || c == '-' ? 62 : c == '/' || c == '_' ? 63 : 64;
-}
-
-/* Decodes in place, where `text` may be `out`. Returns bytes written; SIZE_MAX if a character is
- * invalid. */
-static size_t decode_base64(const uint8_t *text, size_t size, uint8_t *out) {
-    size_t written = 0;
-    uint32_t bits = 0;
-    int held = 0;
-    while (size > 0 && text[size - 1] == '=') {
-        --size;
-    }
-    for (size_t i = 0; i < size; ++i) {
-        const unsigned six = sextet(text[i]);
-        if (six == 64) {
-            return SIZE_MAX;
-        }
-        bits = bits << 6 | six;
-        held += 6;
-        if (held >= 8) {
-            held -= 8;
-            out[written++] = (uint8_t)(bits >> held);
-        }
-    }
-    return written;
-}
 
 static int hex_digit(char c) {
     return c >= '0' && c <= '9'                 ? c - '0'
@@ -77,7 +40,7 @@ static int decode_data(burnish_gltf *gltf, uint32_t uri, uint8_t *text, size_t s
         return burnish_gltf_fail(gltf, BURNISH_STATUS_FORMAT, uri,
                                  "a data URI without \";base64,\"; export the file again");
     }
-    const size_t written = decode_base64(comma + 1, size - head - 1, text);
+    const size_t written = burnish_decode_base64(comma + 1, size - head - 1, text);
     if (written == SIZE_MAX) {
         return burnish_gltf_fail(
             gltf, BURNISH_STATUS_FORMAT, uri,
