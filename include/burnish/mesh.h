@@ -51,6 +51,8 @@ extern "C" {
     X(STL, stl, ".stl", 0, 0, 1)                                                                   \
     X(3MF, 3mf, ".3mf", 0, 0, 1)                                                                   \
     X(GCODE, gcode, ".gcode .gco .bgcode", 0, 0, 1)                                                \
+    X(SPLAT, splat, ".splat", 0, 1, 0)                                                             \
+    X(SPZ, spz, ".spz", 0, 1, 0)                                                                   \
     X(BMS, bms, ".bms", 0, 1, 0)                                                                   \
     X(PCD, pcd, ".pcd", 0, 1, 0)                                                                   \
     X(LAS, las, ".las", 0, 0, 1)                                                                   \
@@ -353,18 +355,31 @@ typedef enum burnish_inside {
     BURNISH_INSIDE_FRONT    /* the front, since the mesh is inside out: drawing fills the cut */
 } burnish_inside;
 
+/* The Gaussian of a splat around its position. Its colour is of sRGB values, not of linear light,
+ * and is blended as such: what training of splats does, and every viewer. */
+typedef struct burnish_splat {
+    float axes[3][3]; /* a standard deviation along each; in any direction */
+    float color[3];   /* sRGB, about [0, 1] */
+    float opacity;    /* in the middle, [0, 1] */
+} burnish_splat;
+
 /* The arrays of a mesh, only to be read. Valid until the mesh is destroyed or cut. */
 typedef struct burnish_mesh_view {
-    size_t vertex_count;              /* [1, 2^32 - 2] */
-    size_t triangle_count;            /* [0, BURNISH_TRIANGLES_MAX]; 0: a point cloud */
-    float point_radius;               /* > 0: a point cloud. Each vertex is drawn as a sphere of
+    size_t vertex_count;         /* [1, 2^32 - 2] */
+    size_t triangle_count;       /* [0, BURNISH_TRIANGLES_MAX]; 0: a point cloud */
+    float point_radius;          /* > 0: a point cloud. Each vertex is drawn as a sphere of
                               this radius: a disc that faces the viewer, with the depth of the
                               sphere in each pixel. 0: triangles */
-    const float *positions;           /* 3 per vertex, finite */
-    const float *normals;             /* 3 per vertex, unit length. Of a point cloud of either
+    const float *positions;      /* 3 per vertex, finite */
+    const burnish_splat *splats; /* 1 per vertex of a point cloud, which is then drawn as splats
+                              without light: behind one another by depth, each at pixel centres the
+                              more opaque the nearer, as opacity e^-d with d half the squared distance
+                              in standard deviations (burnish_exp_falloff5), widened by a variance of
+                              0.3 pixel. `colors`, if any, replace their own. NULL: none */
+    const float *normals;        /* 3 per vertex, unit length. Of a point cloud of either
                               direction, turned toward the viewer; or 0, 0, 0: the sphere's own */
-    const uint8_t *colors;            /* 4 per vertex, sRGB and alpha; NULL: none */
-    int has_transparent_colors;       /* 1: an alpha value is below 255 */
+    const uint8_t *colors;       /* 4 per vertex, sRGB and alpha; NULL: none */
+    int has_transparent_colors;  /* 1: an alpha value is below 255 */
     const float *texture_coordinates; /* 2 per vertex; NULL: none */
     const float *second_coordinates;  /* the same; NULL unless a texture has coordinates 1 */
     const float *tangents;            /* 4 per vertex: a unit vector perpendicular to the normal, in

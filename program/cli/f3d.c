@@ -163,9 +163,10 @@ static int take_long(const char *word, const char *next) {
     const size_t length = strcspn(name, "=");
     const cli_flag *own = cli_find_flag(&render_command, name, length);
     const option *row = find(name, length);
-    const int is_set =
-        equals && row && row->is_switch &&
-        (!own || !own->value || is_one_of(equals + 1, " 0 false no off 1 true yes on "));
+    const int is_set = equals && row && row->is_switch &&
+                       (!own || !own->value ||
+                        (own->handler != cli_flag_integer &&
+                         is_one_of(equals + 1, " 0 false no off 1 true yes on ")));
     if (!line.is_f3d && ((own && !is_set) || strcmp(name, "no-render") == 0)) {
         row = NULL;
     }

@@ -85,7 +85,7 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
 /* The rows; `type` has the cli_input `member`. */
 #define CLI_INPUT_FORMAT_FLAG(type, member)                                                        \
     .phases = CLI_PHASE_LOAD, .name = "input-format", .aliases = "force-reader,import-format",     \
-    .value = "NAME", .help = "fbx ...", .default_text = "auto", .manual = cli_input_format_manual, \
+    .value = "NAME", .help = "as", .default_text = "auto", .manual = cli_input_format_manual,      \
     .handler = cli_flag_input_format, .words = cli_input_formats,                                  \
     .offset = offsetof(type, member.format)
 

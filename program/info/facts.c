@@ -16,7 +16,10 @@ static const char *up_name(const info_report *r) {
     const int usual = axis[0] > 0.5F ? 0 : axis[1] > 0.5F ? 1 : 2;
     static const char *const names[] = {"+X", "+Y", "+Z"};
     const int is_camera = r->stance.reason && *r->stance.reason == 'c';
-    return is_camera ? "-Y" : names[r->stance.reason ? r->stance.other : usual];
+    if (is_camera || axis[1] < -0.5F) { /* -0.5: splats */
+        return "-Y";
+    }
+    return names[r->stance.reason ? r->stance.other : usual];
 }
 
 static const char *format_name(const info_report *r, char extension[IMPORT_EXTENSION_SIZE]) {
@@ -257,6 +260,7 @@ cJSON *info_make_json(const info_report *r, int *failed) {
     cli_json_add(root, "vertices",
                  r->facts ? cli_json_count(r->facts->vertex_count) : cJSON_CreateNull(), failed);
     cli_json_add(root, "points", cli_json_count(info->point_count), failed);
+    cli_json_add(root, "splats", cli_json_count(r->view->splats ? info->point_count : 0), failed);
     cli_json_add(root, "lines", cli_json_count(info->line_count), failed);
     cli_json_add(root, "layers", cli_json_count(info->layer_count), failed);
     cli_json_add(root, "thumbnail", cJSON_CreateBool(info->is_thumbnail), failed);
@@ -463,6 +467,7 @@ void info_print_text(FILE *stream, const info_report *r) {
     fprintf(stream, " (%s): %zu %s%s, ", format_name(r, extension), count,
             r->facts               ? "triangle"
             : info->line_count > 0 ? "line"
+            : r->view->splats      ? "splat"
                                    : "point",
             count == 1 ? "" : "s");
     if (r->facts) {

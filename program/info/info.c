@@ -69,8 +69,9 @@ static const cli_term json_terms[] = {
     {"*input, format*", "the format that was read"},
     {"*triangles, vertices*", "of the file, with polygons divided into triangles; equal positions "
                               "are one vertex. 0 and null without faces"},
-    {"*points, lines*", "number of points and lines of an input without faces; then *area* and "
-                        "everything below it, except *origin* and *warnings*, is null"},
+    {"*points, splats, lines*", "number of points, of those that are splats, and of lines of an "
+                                "input without faces; then *area* and "
+                                "everything below it, except *origin* and *warnings*, is null"},
     {"*materials*", "after loading: at least 1"},
     {"*transmissive*", "materials through which light passes (glTF)"},
     {"*variants*", "names for *--variant* (glTF)"},

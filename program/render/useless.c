@@ -187,6 +187,12 @@ size_t render_list_input_needs(const render_settings *settings, const burnish_me
         "camera-orthographic,camera-orthographic-height,same-scale,margin",
         mesh && !(settings->camera.own && is_free && has_camera),
         "the picture has a camera of INPUT; omit --camera"};
+    needs[count++] = (cli_need){
+        "color,no-colors,material,opacity,specular,exponent,lobe,equation,viewer,light,ambient,"
+        "exposure,tone-mapping,occlusion,ground,shadow,edges,wireframe,hidden-lines,center-lines,"
+        "outline-contrast,samples,normals,point-size",
+        mesh && !burnish_mesh_get_view(mesh)->splats,
+        "splats have colours of their own and no light; omit the flag"};
     return count;
 }
 

@@ -28,6 +28,8 @@ struct burnish_passing;
 struct burnish_primitive;
 struct burnish_shadow_lookup;
 struct burnish_silhouette;
+struct burnish_splat_band;
+struct burnish_splat_item;
 struct burnish_srgb_encoder;
 struct burnish_texture_levels;
 struct burnish_texture_sampler;
@@ -240,6 +242,10 @@ typedef struct burnish_render_ops {
     /* count groups of four pixels, each `stride` pixels after the last, to 12 bytes per group, one
      * after another: red, green, blue. The highest byte of a pixel must be 0. */
     void (*pack_groups)(size_t count, const uint32_t *pixels, size_t stride, uint8_t *to);
+
+    /* Blends splats, from near to far, into the band's rows. Reads and writes whole vectors. */
+    void (*blend_splats)(const struct burnish_splat_item *items, size_t count,
+                         const struct burnish_splat_band *band);
 } burnish_render_ops;
 
 /* The table of an instruction set; NULL if this build does not have it. */

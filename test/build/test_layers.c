@@ -65,12 +65,14 @@ static const struct layer {
     {"src/render/drawing",
      "base core image/text/drawing.h render/frame burnish/drawing.h burnish/render.h"},
     {"src/render/frame",
-     "base core simd raster shading render render/light render/lines render/texture burnish/core.h "
-     "burnish/look.h burnish/mesh.h burnish/render.h"},
+     "base core simd raster shading render render/light render/lines render/splats render/texture "
+     "burnish/core.h burnish/look.h burnish/mesh.h burnish/render.h"},
     {"src/render/light", "base core environment simd raster render render/texture shading "
                          "burnish/light.h burnish/mesh.h burnish/render.h"},
     {"src/render/lines",
      "base core mesh/edges.h image/text/strokes.h raster render burnish/render.h"},
+    {"src/render/splats",
+     "base core raster/raster_view.h render simd burnish/lobe.h burnish/render.h"},
     {"src/render/texture", "base core simd raster render shading burnish/mesh.h"},
     {"program/batch", "base base/cli cli import picture render render/output render/scene "
                       "render/settings sandbox burnish"},

@@ -189,7 +189,7 @@ useless light=file 'INPUT has no lights; omit the flag' --light=file part.obj
 useless animation 'only glTF files have animations; omit the flag' --animation=walk part.obj
 useless variant 'INPUT has no variants; omit the flag' --variant=red part.obj
 useless plate 'INPUT has no plates; omit the flag' --plate=2 part.obj
-useless thumbnail 'only 3MF files hold pictures of themselves; omit the flag' --thumbnail=only part.obj
+useless thumbnail 'only 3MF files and G-code hold pictures of themselves; omit the flag' --thumbnail=only part.obj
 useless animation-time 'only glTF files have animations; omit the flag' --animation-time=3 part.obj
 useless tessellation 'only built-in objects such as :teapot have patches; omit the flag' --tessellation=3 part.obj
 useless point-size 'only points and lines have a size, and INPUT has faces; omit the flag' --point-size=3 part.obj

@@ -169,7 +169,7 @@ importer "cat '$bin/error.bms'"
 cp "$here/../data/colors.ply" other.dat
 expect 4 "burnish: other.dat: $name: text" render other.dat --input-format=dae -o s.png
 rm other.dat
-expect 2 'burnish: --input-format: "exe" is not one of auto, gltf, obj, off, ply, stl, 3mf, gcode, bms, pcd, las, xyz, nor a file extension of an importer (fbx, step ...; docs/importers.md)' info a.fbx --input-format=exe
+expect 2 'burnish: --input-format: "exe" is not one of auto, gltf, obj, off, ply, stl, 3mf, gcode, splat, spz, bms, pcd, las, xyz, nor a file extension of an importer (fbx, step ...; docs/importers.md)' info a.fbx --input-format=exe
 mkfifo "$bin/open"
 exec 5<>"$bin/open"
 for flag in --no-sandbox $boxed; do # it does not wait for input that nobody would read

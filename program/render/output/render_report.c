@@ -182,6 +182,7 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "triangles", cli_json_count(view->triangle_count), failed);
     cli_json_add(root, "vertices", cli_json_count(view->vertex_count), failed);
     cli_json_add(root, "points", cli_json_count(info->point_count), failed);
+    cli_json_add(root, "splats", cli_json_count(view->splats ? info->point_count : 0), failed);
     cli_json_add(root, "lines", cli_json_count(info->line_count), failed);
     cli_json_add(root, "thumbnail", cJSON_CreateBool(info->is_thumbnail), failed);
     cli_json_add(root, "thinning", cli_json_count(info->thinning), failed);

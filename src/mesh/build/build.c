@@ -114,7 +114,7 @@ static void note_strays(burnish_builder *b) {
 /* A point cloud needs nothing but its arrays. */
 static burnish_status take_points(burnish_builder *b) {
     static const burnish_attribute taken[] = {BURNISH_POSITION, BURNISH_NORMAL, BURNISH_COLOR,
-                                              BURNISH_TEXCOORD};
+                                              BURNISH_TEXCOORD, BURNISH_SPLAT};
     b->vertex_count = b->data->point_count;
     for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i) {
         burnish_stream *stream = &b->data->streams[taken[i]];

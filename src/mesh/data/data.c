@@ -55,11 +55,13 @@ void burnish_mesh_data_destroy(burnish_mesh_data *mesh) {
 }
 
 static const char *const item_names[BURNISH_ATTRIBUTE_COUNT] = {
-    "positions", "normals", "colours", "texture coordinates", "tangents", "texture coordinates"};
+    "positions",           "normals", "colours", "texture coordinates", "tangents",
+    "texture coordinates", "splats"};
 static const char *const corner_names[BURNISH_ATTRIBUTE_COUNT] = {
     "triangles",       "normal indices",
     "colour indices",  "texture coordinate indices",
-    "tangent indices", "texture coordinate indices"};
+    "tangent indices", "texture coordinate indices",
+    "splat indices"};
 
 burnish_status burnish_mesh_data_reserve(burnish_mesh_data *mesh, burnish_attribute attribute,
                                          size_t count) {

@@ -28,12 +28,14 @@ typedef enum burnish_attribute {
     BURNISH_TANGENT,   /* 4 floats: burnish_mesh_view.tangents; dropped if no normal texture is
                          used */
     BURNISH_TEXCOORD2, /* 2 floats; dropped if no texture has coordinates 1 */
+    BURNISH_SPLAT,     /* burnish_splat, of a point cloud */
     BURNISH_ATTRIBUTE_COUNT
 } burnish_attribute;
 
 /* Bytes of one item. */
 static inline size_t burnish_attribute_size(burnish_attribute attribute) {
-    static const uint8_t sizes[BURNISH_ATTRIBUTE_COUNT] = {12, 12, 4, 8, 16, 8};
+    static const uint8_t sizes[BURNISH_ATTRIBUTE_COUNT] = {
+        12, 12, 4, 8, 16, 8, sizeof(burnish_splat)};
     return sizes[attribute];
 }
 

@@ -183,6 +183,7 @@ void burnish_mesh_update_view(burnish_mesh *mesh) {
     view->texture_coordinates = mesh->attributes[BURNISH_TEXCOORD];
     view->tangents = mesh->attributes[BURNISH_TANGENT];
     view->second_coordinates = mesh->attributes[BURNISH_TEXCOORD2];
+    view->splats = mesh->attributes[BURNISH_SPLAT];
     view->indices = mesh->indices;
     view->triangle_materials = mesh->triangle_materials;
     view->triangle_parts = mesh->triangle_parts;

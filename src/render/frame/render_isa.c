@@ -7,6 +7,7 @@
 #include "render/light/occlusion_simd.h"
 #include "render/light/shadow_simd.h"
 #include "render/render_ops.h"
+#include "render/splats/splatting_simd.h"
 #include "render/texture/mask_simd.h"
 #include "render/texture/passing_simd.h"
 #include "render/texture/texture_points_simd.h"
@@ -44,6 +45,7 @@ const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD) = {
     OP(map_tones),
     OP(encode_pixels),
     OP(pack_groups),
+    OP(blend_splats),
     OP(apply_near_cells),
     .shade_codes = {[BURNISH_LOBE_BODY_NONE] = codes_none,
                     [BURNISH_LOBE_BODY_SQUARE] = codes_square,

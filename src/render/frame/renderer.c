@@ -69,7 +69,7 @@ static burnish_status draw_checked(burnish_renderer *renderer, const burnish_mes
                                    const burnish_target *target, burnish_render_report *report,
                                    burnish_error *error) {
     const burnish_float_mode float_mode = burnish_float_mode_enter();
-    const burnish_render_options resolved = burnish_render_options_resolve(options);
+    burnish_render_options resolved = burnish_render_options_resolve(options);
     burnish_call call = {.renderer = renderer,
                          .mesh = {mesh, burnish_mesh_get_view(mesh),
                                   burnish_mesh_get_material_count(mesh), options->ignore_colors,
@@ -79,6 +79,15 @@ static burnish_status draw_checked(burnish_renderer *renderer, const burnish_mes
                          .target = *target,
                          .counts = report ? options->counts : BURNISH_COUNTS_NONE,
                          .memory = burnish_memory_of(renderer->context, error)};
+    burnish_mesh_view background = *call.solid;
+    if (background.splats) { /* they have no light, and the rest draws nothing behind them */
+        call.splats = call.solid;
+        background.vertex_count = background.triangle_count = 0;
+        background.point_radius = 0;
+        call.solid = call.mesh.view = &background;
+        resolved.occlusion = resolved.shadow = resolved.ground = resolved.edges = 0;
+        resolved.outline_contrast = 0;
+    }
     const burnish_status status = burnish_call_run(&call);
     if (status == BURNISH_STATUS_OK && report) {
         *report = call.report;

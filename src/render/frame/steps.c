@@ -502,6 +502,20 @@ static burnish_tones tones_of(const burnish_render_options *options, const burni
         .exposure = (float)(1 + burnish_expm1(exponent))};
 }
 
+/* Splats over the background. */
+static burnish_status draw_splats(burnish_call *d) {
+    const burnish_row_range rows = burnish_drawn_rows(d->options);
+    const burnish_splat_call call = {.mesh = d->splats,
+                                     .view = &d->view.raster,
+                                     .target = &d->target,
+                                     .ops = d->view.shading.ops,
+                                     .first_row = rows.first,
+                                     .end_row = rows.end,
+                                     .transparent = d->options->transparent,
+                                     .max_overdraw = overdraw_limit(d)};
+    return burnish_splats_draw(&call, &d->report, &d->renderer->tasks, &d->memory);
+}
+
 burnish_status burnish_call_run(burnish_call *d) {
     burnish_renderer *renderer = d->renderer;
     const double start = burnish_seconds_now();
@@ -561,6 +575,9 @@ burnish_status burnish_call_run(burnish_call *d) {
     }
     if (status == BURNISH_STATUS_OK) {
         status = (has_edges ? draw_edged : draw_outlined)(d);
+    }
+    if (status == BURNISH_STATUS_OK && d->splats) {
+        status = draw_splats(d);
     }
     if (status == BURNISH_STATUS_OK) {
         d->report.seconds_draw = burnish_seconds_now() - start - d->report.seconds_transform;

@@ -10,6 +10,7 @@
 #include "render/light/casters.h"
 #include "render/lines/lines.h"
 #include "render/lines/outline.h"
+#include "render/splats/splatting.h"
 
 /* ---- Bands of tiles, each from visibility to pixels while it is in cache (tiles.c) ---- */
 
@@ -87,7 +88,8 @@ struct burnish_renderer {
 typedef struct burnish_call {
     burnish_renderer *renderer;
     burnish_drawn_mesh mesh;
-    const burnish_mesh_view *solid; /* its view, without negative volumes */
+    const burnish_mesh_view *solid;  /* its view, without negative volumes */
+    const burnish_mesh_view *splats; /* drawn over a mesh without anything; NULL: none */
     const burnish_render_options *options;
     burnish_target target;
     burnish_counts counts;

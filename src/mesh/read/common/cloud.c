@@ -19,6 +19,8 @@ enum {
 #define DOMINATED 4.0
 #define SPARSE 8.0
 #define SMALLER 1.15
+#define SPLAT_SHARE 50
+#define SPLAT_MARGIN 0.15F
 
 /* ---- Boxes ---- */
 
@@ -66,15 +68,18 @@ static burnish_status find_inner(burnish_cloud *cloud, burnish_memory *memory) {
     if (cloud->count < OUTLIERS_LEAST) {
         return BURNISH_STATUS_OK;
     }
-    if (trim_box(cloud, OUTLIER_SHARE, 0.5F, &trimmed, memory) != BURNISH_STATUS_OK) {
+    const size_t share = cloud->are_splats ? SPLAT_SHARE : OUTLIER_SHARE;
+    const float margin = cloud->are_splats ? SPLAT_MARGIN : 0.5F;
+    const double dominated = cloud->are_splats ? SMALLER : DOMINATED;
+    if (trim_box(cloud, share, margin, &trimmed, memory) != BURNISH_STATUS_OK) {
         return memory->status;
     }
     const double all = burnish_cloud_diagonal(&cloud->inner);
-    if (all > DOMINATED * burnish_cloud_diagonal(&trimmed) / 2) { /* at most: the box is wider */
+    if (all > dominated * burnish_cloud_diagonal(&trimmed) / 2) { /* at most: the box is wider */
         const size_t count =
             burnish_box_inside(cloud->positions, cloud->count, 1, &trimmed, &inside);
         const double diagonal = count > 0 ? burnish_cloud_diagonal(&inside) : 0;
-        if (diagonal > 0 && all > DOMINATED * diagonal) {
+        if (diagonal > 0 && all > dominated * diagonal) {
             cloud->inner = inside;
             cloud->outside = cloud->count - count;
         }

@@ -10,6 +10,7 @@
 typedef struct burnish_cloud {
     const float *positions; /* 3 per point, finite */
     size_t count;           /* > 0 */
+    int are_splats;         /* 1: of a capture, with surroundings that are not framed */
     burnish_box inner;
     size_t outside;  /* points outside the inner box */
     double spacing;  /* median distance to the 6th nearest position, or to the farthest of fewer */
@@ -26,6 +27,9 @@ typedef struct burnish_cloud {
  * its diagonal, as the box of the points in T, the inner box is the latter. Strays, whose 6th nearest
  * point is over 8 times as far as `spacing`, are left out of it too, if they are at most 1/100 and its
  * diagonal becomes shorter by 1.15.
+ *
+ * Splats thin out around what was captured: there T is the box of all but the most extreme 1/50,
+ * widened by 3/20, and bounds that are 1.15 times as long suffice.
  *
  * Errors: MEMORY. */
 burnish_status burnish_cloud_measure(burnish_cloud *cloud, burnish_memory *memory);

@@ -7,6 +7,7 @@
 
 #include "core/vec3.h"
 #include "mesh/read/common/cloud.h"
+#include "mesh/read/common/splats.h"
 #include "mesh/read/io/budget.h"
 
 enum {
@@ -78,12 +79,37 @@ static burnish_status prepare_normals(burnish_reader *reader, const burnish_clou
                                  &mesh->memory);
 }
 
+/* What is framed around the centres of splats: most of one, but little of the whole. */
+static double splat_radius(const burnish_cloud *cloud, double size) {
+    const double most = burnish_cloud_diagonal(&cloud->inner) / 10;
+    double least = 0; /* of which sums with coordinates differ */
+    for (int k = 0; k < 3; ++k) {
+        const double low = (double)cloud->inner.low[k], high = (double)cloud->inner.high[k];
+        least = high > least ? high : -low > least ? -low : least;
+    }
+    least *= 0x1p-20;
+    size = most > 0 && 3 * size > most ? most : 3 * size;
+    size = size < 1e30 ? size : 1e30;
+    return size < least ? least : size;
+}
+
+static burnish_status zero_normals(burnish_mesh_data *mesh) {
+    burnish_stream *stream = &mesh->streams[BURNISH_NORMAL];
+    burnish_mesh_data_drop(mesh, BURNISH_COLOR);
+    burnish_mesh_data_drop(mesh, BURNISH_NORMAL);
+    if (burnish_mesh_data_reserve(mesh, BURNISH_NORMAL, mesh->point_count) == BURNISH_STATUS_OK) {
+        stream->count = mesh->point_count;
+        memset(stream->items, 0, 3 * stream->count * sizeof(float));
+    }
+    return mesh->memory.status;
+}
+
 /* The bounds of all points are the mesh's; the inner ones are what is framed. */
 static void note_outliers(burnish_reader *reader, const burnish_cloud *cloud) {
     burnish_mesh_data *mesh = reader->mesh;
     memcpy(mesh->inner_min, cloud->inner.low, sizeof mesh->inner_min);
     memcpy(mesh->inner_max, cloud->inner.high, sizeof mesh->inner_max);
-    if (cloud->outside > 0) {
+    if (cloud->outside > 0 && !cloud->are_splats) { /* whose surroundings are usual */
         burnish_mesh_data_warn(mesh,
                                "%s: %zu of %zu points are far from the others, so the picture is "
                                "framed without them; remove them, or set the camera",
@@ -95,15 +121,23 @@ static void note_outliers(burnish_reader *reader, const burnish_cloud *cloud) {
 static burnish_status make_cloud(burnish_reader *reader) {
     burnish_mesh_data *mesh = reader->mesh;
     const double wanted = reader->input->options->point_size;
+    const size_t count = mesh->streams[BURNISH_POSITION].count;
     int are_surface = 0;
-    burnish_cloud cloud = {.positions = burnish_positions(mesh),
-                           .count = mesh->streams[BURNISH_POSITION].count};
+    float *visible = NULL; /* of splats */
+    double size = 0;
+    burnish_cloud cloud = {.positions = burnish_positions(mesh), .count = count};
     burnish_status status = burnish_check_points(reader, cloud.count, 0);
+    if (status == BURNISH_STATUS_OK && mesh->streams[BURNISH_SPLAT].count > 0) {
+        status = burnish_visible_splats(mesh, &visible, &cloud.count, &size);
+        cloud.positions = visible;
+        cloud.are_splats = 1;
+    }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_cloud_measure(&cloud, &mesh->memory);
     }
     if (status != BURNISH_STATUS_OK) {
         burnish_release(mesh->memory.context, cloud.order);
+        burnish_release(mesh->memory.context, visible);
         return status;
     }
     note_outliers(reader, &cloud);
@@ -111,10 +145,14 @@ static burnish_status make_cloud(burnish_reader *reader) {
         burnish_mesh_data_drop(mesh, BURNISH_TEXCOORD);
     }
     burnish_mesh_data_drop(mesh, BURNISH_TANGENT);
-    mesh->point_count = cloud.count;
-    status = prepare_normals(reader, &cloud, &are_surface);
+    mesh->point_count = count;
+    status = visible ? zero_normals(mesh) : prepare_normals(reader, &cloud, &are_surface);
     burnish_release(mesh->memory.context, cloud.order);
-    mesh->point_radius = (float)(wanted > 0 ? wanted / 2 : choose_radius(&cloud, are_surface));
+    burnish_release(mesh->memory.context, visible);
+    const double radius = visible      ? splat_radius(&cloud, size)
+                          : wanted > 0 ? wanted / 2
+                                       : choose_radius(&cloud, are_surface);
+    mesh->point_radius = radius > (double)FLT_MIN ? (float)radius : FLT_MIN;
     return status;
 }
 

@@ -102,7 +102,7 @@ static const char *const drawn_extensions[] = {
     "KHR_materials_unlit",      "KHR_materials_variants",    "KHR_materials_volume",
     "KHR_mesh_quantization",    "KHR_meshopt_compression",   "KHR_node_visibility",
     "KHR_texture_basisu",       "KHR_texture_transform",     "KHR_xmp",
-    "KHR_xmp_json_ld",          "MSFT_texture_dds"};
+    "KHR_xmp_json_ld",          "MSFT_texture_dds",          "KHR_gaussian_splatting"};
 
 static int is_drawn(const burnish_gltf *gltf, uint32_t name) {
     for (size_t i = 0; i < sizeof drawn_extensions / sizeof *drawn_extensions; ++i) {

@@ -101,6 +101,8 @@ typedef struct burnish_gltf_primitive {
     uint32_t value; /* its JSON value */
     uint32_t position, normal, tangent, color, indices;
     uint32_t texcoords[2]; /* of the material's first and second set */
+    uint32_t splats[4]; /* of KHR_gaussian_splatting: scale, without which there are none, rotation,
+                              opacity, spherical harmonic */
     uint32_t joints[BURNISH_GLTF_SETS], weights[BURNISH_GLTF_SETS];
     uint32_t targets; /* the JSON array of morph targets, or NONE */
     uint32_t material;

@@ -13,6 +13,7 @@
 #include "mesh/read/common/beside_faces.h"
 #include "mesh/read/common/damage.h"
 #include "mesh/read/common/local_origin.h"
+#include "mesh/read/common/splats.h"
 #include "mesh/read/common/textures.h"
 #include "mesh/read/io/budget.h"
 
@@ -42,7 +43,9 @@ typedef struct gltf_drawer {
     int is_beside; /* 1: of a file with triangles, which has drawn those */
 
     const burnish_gltf_primitive *primitive;
-    const burnish_gltf_accessor *position, *normal, *tangent, *color, *texcoords[2], *indices;
+    const burnish_gltf_accessor *position, *normal, *tangent, *color, *texcoords[2], *indices,
+        *splats[4];
+    int has_logarithms; /* 1: of splats' scales, as a draft had them */
     burnish_gltf_shape shape;
     int moves;         /* 1: morph targets or a skin move vertices one by one */
     atomic_size_t bad; /* the first vertex, from `base` on, that can't be placed */
@@ -122,6 +125,48 @@ static void put_texcoord(const burnish_gltf_accessor *texcoord, size_t vertex, f
     }
 }
 
+static void put_splat(const gltf_drawer *drawer, size_t vertex, burnish_splat *to) {
+    double values[4][4] = {{0}, {0, 0, 0, 1}, {1}, {0}}, color[4] = {1, 1, 1, 1};
+    burnish_splat_values stated;
+    for (int i = 0; i < 4; ++i) {
+        if (drawer->splats[i]) {
+            burnish_gltf_element(drawer->splats[i], vertex, values[i]);
+        }
+    }
+    if (drawer->color) {
+        burnish_gltf_element(drawer->color, vertex, color);
+    }
+    for (int i = 0; i < 4; ++i) {
+        stated.rotation[(i + 1) % 4] = (float)values[1][i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        const double scale = values[0][i];
+        stated.scale[i] = (float)(drawer->has_logarithms ? burnish_splat_exp(scale) : scale);
+        stated.color[i] = drawer->splats[3] ? burnish_splat_color(values[3][i]) : (float)color[i];
+    }
+    stated.opacity = (float)(drawer->splats[2] ? values[2][0] : color[3]);
+    *to = burnish_splat_of(&stated);
+    for (int i = 0; i < 3; ++i) {
+        const double *m = drawer->shape.matrix;
+        const double x = (double)to->axes[i][0], y = (double)to->axes[i][1],
+                     z = (double)to->axes[i][2];
+        for (int k = 0; k < 3; ++k, m += 4) {
+            to->axes[i][k] = (float)(m[0] * x + m[1] * y + m[2] * z);
+        }
+    }
+}
+
+/* Whether a splat has a negative scale. */
+static int has_logarithms(const burnish_gltf_accessor *scales) {
+    double scale[4] = {0};
+    int any = 0;
+    for (size_t i = 0; scales && i < scales->count && !any; ++i) {
+        burnish_gltf_element(scales, i, scale);
+        any = scale[0] < 0 || scale[1] < 0 || scale[2] < 0;
+    }
+    return any;
+}
+
 /* Vertex `from` of the primitive as vertex `at` of the mesh. Returns 0 if it can't be placed: its
  * position is NaN then. */
 static int convert_vertex(gltf_drawer *drawer, uint32_t from, size_t at) {
@@ -145,6 +190,9 @@ static int convert_vertex(gltf_drawer *drawer, uint32_t from, size_t at) {
     }
     if (drawer->has[BURNISH_TANGENT]) {
         put_tangent(drawer, from, (float *)mesh->streams[BURNISH_TANGENT].items + 4 * at);
+    }
+    if (drawer->has[BURNISH_SPLAT]) {
+        put_splat(drawer, from, (burnish_splat *)mesh->streams[BURNISH_SPLAT].items + at);
     }
     if (drawer->has[BURNISH_COLOR]) {
         put_color(drawer, from, burnish_colors(mesh) + 4 * at);
@@ -351,10 +399,15 @@ static uint16_t material_at(gltf_drawer *drawer, const burnish_gltf_primitive *p
     return (uint16_t)number;
 }
 
+/* Splats are drawn alone. */
+static int is_undrawn(const gltf_drawer *drawer, const burnish_gltf_primitive *primitive) {
+    return drawer->is_beside && primitive->splats[0] != BURNISH_GLTF_NONE;
+}
+
 static void draw_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
                            const double matrix[12], const burnish_gltf_primitive *primitive) {
     burnish_gltf *gltf = drawer->gltf;
-    if (burnish_gltf_kind_of(primitive) != drawer->kind) {
+    if (burnish_gltf_kind_of(primitive) != drawer->kind || is_undrawn(drawer, primitive)) {
         return;
     }
     drawer->primitive = primitive;
@@ -366,6 +419,10 @@ static void draw_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
     for (int i = 0; i < 2; ++i) {
         drawer->texcoords[i] = accessor_of(gltf, primitive->texcoords[i]);
     }
+    for (int i = 0; i < 4; ++i) {
+        drawer->splats[i] = accessor_of(gltf, primitive->splats[i]);
+    }
+    drawer->has_logarithms = has_logarithms(drawer->splats[0]);
     drawer->base = (uint32_t)drawer->mesh->streams[BURNISH_POSITION].count;
     drawer->material = material_at(drawer, primitive, matrix);
     burnish_gltf_set_shape(gltf, &drawer->shape, node, matrix, primitive);
@@ -389,9 +446,11 @@ static void count_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
     if (kind != drawer->kind && (drawer->is_beside || drawer->kind == BURNISH_GLTF_TRIANGLES)) {
         return; /* add_beside */
     }
-    if (kind != drawer->kind) {
+    if (kind != drawer->kind || is_undrawn(drawer, primitive)) {
         burnish_gltf_note(gltf, &gltf->undrawn, primitive->value,
-                          "%s are not drawn in a file with %s", kinds[kind], kinds[drawer->kind]);
+                          "%s are not drawn in a file with %s",
+                          kind == drawer->kind ? "splats" : kinds[kind],
+                          kinds[drawer->is_beside ? BURNISH_GLTF_TRIANGLES : drawer->kind]);
         return;
     }
     const size_t vertices = gltf->accessors[primitive->position].count;
@@ -402,6 +461,7 @@ static void count_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
     drawer->most_used = most > drawer->most_used ? most : drawer->most_used;
     drawer->most_vertices = vertices > drawer->most_vertices ? vertices : drawer->most_vertices;
     drawer->has[BURNISH_NORMAL] |= primitive->normal != BURNISH_GLTF_NONE;
+    drawer->has[BURNISH_SPLAT] |= primitive->splats[0] != BURNISH_GLTF_NONE;
     drawer->has[BURNISH_TANGENT] |= primitive->tangent != BURNISH_GLTF_NONE;
     drawer->has[BURNISH_COLOR] |=
         primitive->color != BURNISH_GLTF_NONE ||
@@ -577,7 +637,9 @@ static void make_solids(gltf_drawer *drawer) {
     if (gltf->reader->damage.count > 0 && drawer->segments) {
         drop_segments(drawer);
     }
-    gltf->status = burnish_make_points(gltf->reader, drawer->segments, drawer->segment_count);
+    gltf->status = drawer->has[BURNISH_SPLAT]
+                       ? burnish_make_splats(gltf->reader, 0)
+                       : burnish_make_points(gltf->reader, drawer->segments, drawer->segment_count);
     drawer->mesh->materials[0] = burnish_material_default();
     drawer->mesh->material_count = 1;
 }

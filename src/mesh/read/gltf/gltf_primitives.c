@@ -4,6 +4,7 @@
 #include "mesh/read/gltf/gltf.h"
 
 #include <stdio.h>
+#include <string.h>
 
 enum { POINTS, LINES, LINE_LOOP, LINE_STRIP, TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN };
 
@@ -130,6 +131,25 @@ static void read_texcoords(burnish_gltf *gltf, burnish_gltf_primitive *primitive
     }
 }
 
+/* Attributes of KHR_gaussian_splatting, also without the prefix, as drafts had them. */
+static void read_splats(burnish_gltf *gltf, burnish_gltf_primitive *primitive,
+                        uint32_t attributes) {
+    static const char *const names[4] = {
+        "KHR_gaussian_splatting:SCALE", "KHR_gaussian_splatting:ROTATION",
+        "KHR_gaussian_splatting:OPACITY", "KHR_gaussian_splatting:SH_DEGREE_0_COEF_0"};
+    static const unsigned widths[4] = {WIDTH(3), WIDTH(4), WIDTH(1), WIDTH(3)};
+    const uint32_t value = burnish_gltf_extension(gltf, primitive->value, "KHR_gaussian_splatting");
+    for (int i = 0; i < 4; ++i) {
+        uint32_t *number = &primitive->splats[i];
+        *number = BURNISH_GLTF_NONE;
+        for (const char *name = names[i]; name && *number == BURNISH_GLTF_NONE &&
+                                          value != BURNISH_JSON_NONE && primitive->mode == POINTS;
+             name = strchr(name, ':') ? strchr(name, ':') + 1 : NULL) {
+            *number = read_attribute(gltf, primitive, attributes, name, widths[i]);
+        }
+    }
+}
+
 /* The primitive's material, or what the chosen variant puts in its place. */
 static uint32_t read_material(burnish_gltf *gltf, uint32_t primitive) {
     const uint32_t extension = burnish_gltf_extension(gltf, primitive, "KHR_materials_variants");
@@ -174,6 +194,7 @@ static int read_primitive(burnish_gltf *gltf, burnish_gltf_primitive *primitive)
     read_joints(gltf, primitive, attributes);
     primitive->material = read_material(gltf, primitive->value);
     read_texcoords(gltf, primitive, attributes);
+    read_splats(gltf, primitive, attributes);
     if (gltf->status == BURNISH_STATUS_OK) {
         read_indices(gltf, primitive);
     }

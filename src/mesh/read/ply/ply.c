@@ -5,6 +5,7 @@
  * (ply_binary.c). */
 #include "base/numbers.h"
 #include "mesh/read/common/points.h"
+#include "mesh/read/common/splats.h"
 #include "mesh/read/common/textures.h"
 #include "mesh/read/common/triangulate.h"
 #include "mesh/read/io/budget.h"
@@ -40,17 +41,19 @@ static void note_bad_vertices(burnish_ply_state *ply, const burnish_ply_rows *ro
 /* All values of the vertices, whose rows are all there. */
 static burnish_status read_vertices(burnish_ply_state *ply, burnish_ply_rows *rows,
                                     const uint8_t **at) {
-    static const int last_roles[BURNISH_ATTRIBUTE_COUNT] = {BURNISH_PLY_Z, BURNISH_PLY_NZ,
-                                                            BURNISH_PLY_BLUE, BURNISH_PLY_T};
-    static const int first_roles[BURNISH_ATTRIBUTE_COUNT] = {BURNISH_PLY_X, BURNISH_PLY_NX,
-                                                             BURNISH_PLY_RED, BURNISH_PLY_S};
+    static const int last_roles[BURNISH_ATTRIBUTE_COUNT] = {
+        BURNISH_PLY_Z, BURNISH_PLY_NZ, BURNISH_PLY_BLUE,
+        BURNISH_PLY_T, [BURNISH_SPLAT] = BURNISH_PLY_OPACITY};
+    static const int first_roles[BURNISH_ATTRIBUTE_COUNT] = {
+        BURNISH_PLY_X, BURNISH_PLY_NX, BURNISH_PLY_RED,
+        BURNISH_PLY_S, [BURNISH_SPLAT] = BURNISH_PLY_SCALE};
     burnish_mesh_data *mesh = ply->reader->mesh;
     size_t count = (size_t)ply->element->count;
     const size_t size = count * rows->row_size, step = mesh->thinning;
     rows->row_size *= step;
     count /= step;
-    for (int i = 0; i <= BURNISH_TEXCOORD; ++i) {
-        if (burnish_ply_has_roles(ply, first_roles[i], last_roles[i])) {
+    for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
+        if (last_roles[i] > 0 && burnish_ply_has_roles(ply, first_roles[i], last_roles[i])) {
             if (burnish_mesh_data_reserve(mesh, (burnish_attribute)i, count) != BURNISH_STATUS_OK) {
                 return mesh->memory.status;
             }
@@ -529,8 +532,12 @@ static burnish_status read_body(burnish_ply_state *ply) {
     if (status == BURNISH_STATUS_OK && ply->reader->mesh->triangle_count == 0 &&
         (is_preview || !has_faces) && ply->vertex_count > 0) {
         check_alpha(ply);
+        const int has_splats = ply->reader->mesh->streams[BURNISH_SPLAT].count > 0;
         status = burnish_ply_tint_points(ply);
-        status = status == BURNISH_STATUS_OK ? burnish_make_points(ply->reader, NULL, 0) : status;
+        if (status == BURNISH_STATUS_OK) {
+            status = has_splats ? burnish_make_splats(ply->reader, 1)
+                                : burnish_make_points(ply->reader, NULL, 0);
+        }
     } else if (status == BURNISH_STATUS_OK && ply->reader->mesh->triangle_count == 0) {
         status =
             burnish_reader_fail(ply->reader, BURNISH_STATUS_FORMAT, NULL,
@@ -551,6 +558,15 @@ static void warn_undrawn(const burnish_ply_state *ply) {
     }
 }
 
+/* Training has its cameras' axes: y points down. */
+static void stand_splats(burnish_mesh_data *mesh) {
+    if (mesh->point_count == 0) {
+        burnish_mesh_data_drop(mesh, BURNISH_SPLAT);
+    } else if (mesh->streams[BURNISH_SPLAT].count > 0) {
+        mesh->up_axis[1] = -1;
+    }
+}
+
 burnish_status burnish_ply_read_described(burnish_reader *reader, burnish_ply_header *header,
                                           burnish_status status) {
     burnish_ply_state ply = {.reader = reader, .header = *header, .header_odd = reader->odd};
@@ -564,6 +580,7 @@ burnish_status burnish_ply_read_described(burnish_reader *reader, burnish_ply_he
         status = burnish_ply_settle_triangles(&ply);
     }
     if (status == BURNISH_STATUS_OK) {
+        stand_splats(reader->mesh);
         check_alpha(&ply);
         warn_undrawn(&ply);
         status = burnish_ply_load_textures(&ply);

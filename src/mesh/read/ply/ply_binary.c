@@ -83,7 +83,7 @@ void burnish_ply_convert_face_colors(void *user_data, const uint8_t *bytes, size
 
 /* Rows [first, end) of vertices, in groups that fit into the first-level cache. */
 void burnish_ply_convert_vertices(void *user_data, const uint8_t *bytes, size_t first, size_t end) {
-    enum { ROWS = 512 };
+    enum { ROWS = 512, SPLAT_FLOATS = sizeof(burnish_splat) / sizeof(float) };
     burnish_ply_rows *rows = user_data;
     const burnish_mesh_data *mesh = rows->mesh;
     for (; first < end; first += ROWS, bytes += ROWS * rows->row_size) {
@@ -104,6 +104,12 @@ void burnish_ply_convert_vertices(void *user_data, const uint8_t *bytes, size_t 
                 convert_floats(rows, bytes, count, &rows->columns[BURNISH_PLY_S + i], 0,
                                (float *)mesh->streams[BURNISH_TEXCOORD].items + 2 * first + i, 2);
             }
+        }
+        for (int i = BURNISH_PLY_SCALE;
+             i <= BURNISH_PLY_OPACITY && mesh->streams[BURNISH_SPLAT].count > 0; ++i) {
+            float *splats = mesh->streams[BURNISH_SPLAT].items;
+            convert_floats(rows, bytes, count, &rows->columns[i], 0,
+                           splats + SPLAT_FLOATS * first + (i - BURNISH_PLY_SCALE), SPLAT_FLOATS);
         }
         if (mesh->streams[BURNISH_COLOR].count > 0) {
             convert_colors(rows, bytes, count, burnish_colors(mesh) + 4 * first);

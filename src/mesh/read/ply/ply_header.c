@@ -51,7 +51,18 @@ burnish_ply_role burnish_ply_role_of(burnish_token name) {
                                            [BURNISH_PLY_BLUE] = {"blue", "b", "diffuse_blue"},
                                            [BURNISH_PLY_ALPHA] = {"alpha", "a", "diffuse_alpha"},
                                            [BURNISH_PLY_S] = {"s", "u", "texture_u"},
-                                           [BURNISH_PLY_T] = {"t", "v", "texture_v"}};
+                                           [BURNISH_PLY_T] = {"t", "v", "texture_v"},
+                                           [BURNISH_PLY_SCALE] = {"scale_0"},
+                                           {"scale_1"},
+                                           {"scale_2"},
+                                           [BURNISH_PLY_ROTATION] = {"rot_0"},
+                                           {"rot_1"},
+                                           {"rot_2"},
+                                           {"rot_3"},
+                                           [BURNISH_PLY_HARMONIC] = {"f_dc_0"},
+                                           {"f_dc_1"},
+                                           {"f_dc_2"},
+                                           [BURNISH_PLY_OPACITY] = {"opacity"}};
     for (size_t role = 0; role < sizeof names / sizeof *names; ++role) {
         for (int i = 0; i < 3 && names[role][i]; ++i) {
             if (burnish_token_is_caseless(name, names[role][i])) {

@@ -44,6 +44,10 @@ typedef enum burnish_ply_role {
     BURNISH_PLY_ALPHA,
     BURNISH_PLY_S,
     BURNISH_PLY_T,
+    BURNISH_PLY_SCALE, /* 3, of splats; then the rest of them as burnish_splat has it */
+    BURNISH_PLY_ROTATION = BURNISH_PLY_SCALE + 3,
+    BURNISH_PLY_HARMONIC = BURNISH_PLY_ROTATION + 4,
+    BURNISH_PLY_OPACITY = BURNISH_PLY_HARMONIC + 3,
     BURNISH_PLY_PACKED, /* of text: red, green and blue in the low bits of one number, or of a float */
     BURNISH_PLY_ROLE_COUNT,
     BURNISH_PLY_CORNERS,   /* vertex_indices of a face or of triangle strips */

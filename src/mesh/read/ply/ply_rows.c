@@ -23,8 +23,8 @@ typedef struct ply_parser {
     const uint8_t *value_at; /* of a binary value, for messages */
     int is_short;            /* the current line has fewer values than the row */
     int texture;             /* of the last face; -1: not known yet */
-    int has_normals, has_coordinates, has_colors; /* of vertices */
-    unsigned long long bad_row;                   /* the last with a bad value */
+    int has_normals, has_coordinates, has_colors, has_splats; /* of vertices */
+    unsigned long long bad_row;                               /* the last with a bad value */
 } ply_parser;
 
 /* The part of a face's row that is used after all of it has been read. */
@@ -243,6 +243,13 @@ static void append_vertex(ply_parser *p, const double values[BURNISH_PLY_ROLE_CO
         for (int i = 0; i < 2 && to; ++i) {
             to[i] = 0;
             burnish_double_to_float(values[BURNISH_PLY_S + i], &to[i]);
+        }
+    }
+    if (p->has_splats) {
+        to = burnish_chunk_append(chunk, BURNISH_SPLAT);
+        for (int i = BURNISH_PLY_SCALE; i <= BURNISH_PLY_OPACITY && to; ++i, ++to) {
+            *to = 0;
+            burnish_double_to_float(values[i], to);
         }
     }
     if (p->has_colors) {
@@ -544,7 +551,9 @@ static void ply_parse_rows(const void *state, burnish_chunk *chunk) {
                     .texture = -1,
                     .has_normals = burnish_ply_has_roles(ply, BURNISH_PLY_NX, BURNISH_PLY_NZ),
                     .has_coordinates = burnish_ply_has_roles(ply, BURNISH_PLY_S, BURNISH_PLY_T),
-                    .has_colors = burnish_ply_has_roles(ply, BURNISH_PLY_RED, BURNISH_PLY_BLUE)};
+                    .has_colors = burnish_ply_has_roles(ply, BURNISH_PLY_RED, BURNISH_PLY_BLUE),
+                    .has_splats =
+                        burnish_ply_has_roles(ply, BURNISH_PLY_SCALE, BURNISH_PLY_OPACITY)};
     switch (ply->header.encoding) {
     case BURNISH_PLY_ASCII:
         parse_rows(&p, BURNISH_PLY_ASCII);
