@@ -7,6 +7,7 @@
 
 #include "base/cli/platform.h"
 #include "base/cli/run.h"
+#include "base/cli/values.h"
 #include "cli/main.h"
 
 enum { VALUE, SWITCH };
