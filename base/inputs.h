@@ -6,16 +6,32 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/platform.h"
 
 enum { BURNISH_INPUT_PATH = 4096 };
 
+/* Whether `size` bytes are the same but for the case of ASCII letters, in every locale. */
+static inline int burnish_are_same_letters(const char *a, const char *b, size_t size) {
+    int same = 1;
+    for (size_t i = 0; i < size && same; ++i) {
+        const int is_letter = (a[i] | 32) >= 'a' && (a[i] | 32) <= 'z';
+        same = a[i] == b[i] || (is_letter && (a[i] | 32) == (b[i] | 32));
+        if (a[i] == 0) {
+            return same;
+        }
+    }
+    return same;
+}
+
+static inline int burnish_is_same_name(const char *a, const char *b) {
+    return burnish_are_same_letters(a, b, strlen(a) + 1);
+}
+
 /* The name of the file in the archive; NULL: the name is of a file. */
 static inline const char *burnish_archive_member(const char *name) {
     for (; *name; ++name) {
-        if (strncasecmp(name, ".zip:", 5) == 0) {
+        if (burnish_are_same_letters(name, ".zip:", 5)) {
             return name[5] ? name + 5 : NULL;
         }
     }

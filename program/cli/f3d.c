@@ -129,10 +129,10 @@ static const char *choose(const option *row, const char *value) {
     if (value && strcmp(row->names, "verbose") == 0 && strcmp(value, "debug") != 0) {
         return is_one_of(value, " quiet error ") ? "--quiet" : "";
     }
-    if (strcmp(row->letters, "j") == 0 && !line.has_image) {
+    const int is_on = !value || !is_one_of(value, " 0 false no off none ");
+    if (is_on && strcmp(row->letters, "j") == 0 && !line.has_image) {
         return NULL;
     }
-    const int is_on = !value || !is_one_of(value, " 0 false no off none ");
     line.is_question |= is_on && strcmp(row->names, "no-render") == 0;
     return is_on ? row->on : row->off;
 }

@@ -225,7 +225,7 @@ static void test_limits(void) {
 /* ---- Bits ---- */
 
 /* By every instruction set, in a new renderer and in one that has drawn other meshes. */
-static void test_bits(int samples) {
+static void test_bits(int samples, float transmission) {
     const scene s = {
         {{{-2, -2, -2}, {2, 2, 2}}, {{-1, -1, -3}, {1, 0.5, 3}}, {{0, -3, 0}, {3, 3, 3}}},
         1,
@@ -237,10 +237,19 @@ static void test_bits(int samples) {
     OWNED_MESH *mesh = load_scene(&s);
     OWNED_MESH *other = load_scene(&whole);
     burnish_render_options options = framed_options(mesh, 150, 130);
+    burnish_material material = *burnish_mesh_get_material(mesh, 0);
+    material.is_metallic = transmission > 0;
+    material.transmission = material.thickness = transmission;
+    set_material(mesh, &material);
+    set_material(other, &material);
     burnish_renderer *renderer = make_renderer(NULL);
     burnish_error error = {0};
     options.samples = samples;
     options.occlusion = BURNISH_OCCLUSION_AUTO;
+    options.has_dome = transmission > 0;
+    set_three(options.dome.zenith, 1);
+    set_three(options.dome.horizon, 1);
+    set_three(options.dome.nadir, 1);
     const uint64_t hash = hash_drawn(mesh, &options), before = hash_drawn(other, &options);
     CHECK1(hash != before);
     for (int isa = 0; isa < BURNISH_ISA_COUNT; ++isa) {
@@ -264,7 +273,8 @@ int main(int count, char **arguments) {
     RUN(test_random(24));
     RUN(test_flush());
     RUN(test_limits());
-    RUN(test_bits(1));
-    RUN(test_bits(4));
+    RUN(test_bits(1, 0));
+    RUN(test_bits(4, 0));
+    RUN(test_bits(4, 0.5F));
     return test_end("negatives");
 }

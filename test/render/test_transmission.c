@@ -158,10 +158,28 @@ static void test_even_light(void) {
     burnish_mesh_destroy(mesh);
 }
 
+/* No triangle has the first material, whose maps are not made. */
+static void test_unused(void) {
+    static const float corners[12] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
+    static const uint16_t second[2] = {1, 1};
+    const burnish_material materials[2] = {glass(1), burnish_material_default()};
+    burnish_mesh_description arrays = describe_quads(corners, NULL, 1);
+    give_materials(&arrays, materials, 2);
+    arrays.triangle_materials = (burnish_array){second, 2, 0};
+    OWNED_MESH *mesh = create_mesh(&arrays, NULL);
+    burnish_render_options options = framed_options(mesh, 64, 64);
+    options.has_dome = 1;
+    set_three(options.dome.zenith, 1);
+    set_three(options.dome.horizon, 1);
+    set_three(options.dome.nadir, 1);
+    CHECK1(hash_drawn(mesh, &options) != 0);
+}
+
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_panes());
     RUN(test_rays());
     RUN(test_even_light());
+    RUN(test_unused());
     return test_end("transmission");
 }

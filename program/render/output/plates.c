@@ -123,7 +123,11 @@ burnish_status render_draw_plates(render_result *result, int *are_drawn, burnish
         burnish_mesh_destroy(plates[i].mesh);
     }
     free(plates);
-    return status == BURNISH_STATUS_OK && !result->given.job.sandbox
-               ? render_open_font(result, error)
-               : status;
+    render_settings labels = *whole.settings; /* the file has them, too late to open a font */
+    labels.picture.opens_no_font = 1;
+    labels.picture.font = NULL;
+    result->settings = &labels;
+    status = status == BURNISH_STATUS_OK ? render_open_font(result, error) : status;
+    result->settings = whole.settings;
+    return status;
 }

@@ -48,7 +48,8 @@ typedef struct choice {
 } choice;
 
 static int is_wanted(const char *name, const char *member) {
-    return !member || strcasecmp(name, member) == 0 || strcasecmp(base_of(name), member) == 0;
+    return !member || burnish_is_same_name(name, member) ||
+           burnish_is_same_name(base_of(name), member);
 }
 
 static void list_name(choice *found, const char *name) {
@@ -67,8 +68,8 @@ static void consider(choice *found, const burnish_zip_part *part, const char *na
         const part_name best = name_of(found->part);
         const char *one = base_of(name), *other = base_of(best.text);
         const size_t stem = (size_t)(strrchr(one, '.') - one);
-        found->are_several |=
-            stem != (size_t)(strrchr(other, '.') - other) || strncasecmp(one, other, stem) != 0;
+        found->are_several |= stem != (size_t)(strrchr(other, '.') - other) ||
+                              !burnish_are_same_letters(one, other, stem);
     }
     if (found->count == 0 || format < found->format) {
         found->part = part;
@@ -171,7 +172,6 @@ static burnish_status take_model(burnish_archive *archive, const burnish_zip_par
     if (status == BURNISH_STATUS_OK) {
         status = burnish_unpack_input(input, memory, &archive->text);
     }
-    input->packed_size = archive->input.packed_size;
     return status;
 }
 

@@ -73,7 +73,11 @@ static burnish_status splat_read(burnish_reader *reader) {
 
 /* There is no mark: the first row has usual numbers, and a quaternion of length 1. */
 static int splat_recognise(const uint8_t *bytes, size_t size) {
-    int square = 0, good = size >= ROW;
+    int square = 0, is_text = 1, good = size >= ROW;
+    for (size_t k = 0; k < ROW && good; ++k) {
+        is_text &= bytes[k] >= '\t' && bytes[k] < 0x7F;
+    }
+    good &= !is_text;
     for (size_t k = 0; k < 6 && good; ++k) {
         const float value = load_float(bytes + 4 * k);
         good = value >= (k < 3 ? -1e6F : 0) && value <= 1e6F;

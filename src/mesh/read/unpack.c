@@ -51,11 +51,13 @@ burnish_status burnish_unpack_input(burnish_reader_input *input, burnish_memory 
                                     uint8_t **unpacked) {
     burnish_status status = BURNISH_STATUS_OK;
     *unpacked = NULL;
-    input->packed_size = input->size;
+    if (input->packed_size == 0) { /* else it is of an archive, whose size counts */
+        input->packed_size = input->size;
+    }
     if (burnish_is_gzip(input->bytes, input->size)) {
-        const burnish_gzip_file file = {input->bytes, input->size, input->name,
-                                        input->options->max_input_bytes,
-                                        burnish_budget_of(input->size, BURNISH_UNPACKED_PER_BYTE)};
+        const burnish_gzip_file file = {
+            input->bytes, input->size, input->name, input->options->max_input_bytes,
+            burnish_budget_of(input->packed_size, BURNISH_UNPACKED_PER_BYTE)};
         status = burnish_gunzip(&file, memory, unpacked, &input->size);
         input->bytes = *unpacked;
     }

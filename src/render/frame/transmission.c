@@ -11,7 +11,8 @@ void burnish_pass_light(const burnish_shading *shading, const burnish_kernels_po
     burnish_texture_scratch *textures = &scratch->texture;
     const burnish_textured_material *from = &shading->texturing->materials[material];
     const burnish_area *area = shading->area;
-    const int has_maps = area && area->constants.diffuse;
+    const int has_maps = area && area->constants.diffuse &&
+                         area->materials[material].reflecting.reflects; /* else no point has it */
     burnish_passing passing = {.material = from,
                                .shader = &shading->texturing->white,
                                .points = *points,

@@ -34,8 +34,8 @@ typedef struct painter {
     burnish_splat_item *items;
     float *bands; /* of the threads */
     size_t stride;
-    atomic_size_t area, covered,
-        edges[4]; /* edges: the least distances of covered pixels to them */
+    _Atomic uint64_t area;
+    atomic_size_t covered, edges[4]; /* edges: the least distances of covered pixels to them */
 } painter;
 
 static void transform(const painter *p, size_t number, double clip[4]) {
@@ -158,7 +158,7 @@ static size_t project_splat(const painter *p, size_t number, burnish_splat_item 
 
 static void project_splats(void *user_data, size_t first, size_t end) {
     painter *p = user_data;
-    size_t large = 0;
+    uint64_t large = 0;
     for (size_t i = first; i < end; ++i) {
         const size_t area = project_splat(p, (uint32_t)p->order[i], p->items + i);
         large += area > LARGE_AREA ? area : 0;
@@ -294,6 +294,9 @@ burnish_status burnish_splats_draw(const burnish_splat_call *call, burnish_rende
                                "rows of splats");
     if (memory->status == BURNISH_STATUS_OK) {
         burnish_tasks_ranges(tasks, all, GRAIN, find_keys, &p);
+        status = burnish_tasks_check(tasks, memory->error);
+    }
+    if (memory->status == BURNISH_STATUS_OK && status == BURNISH_STATUS_OK) {
         p.order = sort_keys(p.keys, all);
         while (p.count > 0 && p.order[p.count - 1] >> 32 == UINT32_MAX) {
             --p.count;

@@ -41,7 +41,7 @@ typedef struct burnish_splat_call {
     double max_overdraw;    /* for the picture's size */
 } burnish_splat_call;
 
-/* The report gets covered pixels, their bounds and overdraw. Memory: 64 bytes per splat, 256 per
+/* The report gets covered pixels, their bounds and overdraw. Memory: 56 bytes per splat, 256 per
  * column for each thread. Errors: MEMORY, LIMIT, CANCELLED. */
 burnish_status burnish_splats_draw(const burnish_splat_call *call, burnish_render_report *report,
                                    burnish_tasks *tasks, burnish_memory *memory);

@@ -28,7 +28,8 @@ static inline void blend_row(const burnish_splat_item *item, const burnish_splat
     if (!(square > 0)) {
         return;
     }
-    const float center = item->x + item->slope * up, reach = __builtin_sqrtf(square) + 1;
+    const float center = item->x + item->slope * up, half = __builtin_sqrtf(square);
+    const float reach = half + 1 + 4e-7f * (__builtin_fabsf(center) + half); /* rounding */
     const float low = center - reach, high = center + reach, width = (float)band->width;
     const int first = low > 0 ? (int)(low < width ? low : width) : 0;
     const int end = high < width ? (int)(high > 0 ? high : 0) : band->width;

@@ -7,7 +7,7 @@
 
 #include "simd/vector_math.h"
 
-/* cos(2 pi t), at most 4e-6 off for |t| below 2^21. */
+/* cos(2 pi t), at most 4e-6 off for |t| below 2^21; [-1, 1] or so for others. */
 BURNISH_INLINE vf film_cosine(vf t) {
     const vf rounder = vf_set(12582912.0f);
     const vf rest = vf_sub(t, vf_sub(vf_add(t, rounder), rounder)), z = vf_mul(rest, rest);

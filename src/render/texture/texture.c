@@ -143,7 +143,8 @@ static burnish_status set_material(burnish_texturing *texturing, const burnish_m
     to->is_varied &= !from->is_unlit;
     to->is_alpha = has_alpha(to);
     to->passes = from->is_metallic && !from->is_unlit && from->transmission > 0 &&
-                 !(texturing->mesh->point_radius > 0);
+                 !(texturing->mesh->point_radius > 0) &&
+                 !burnish_mesh_get_negatives(mesh); /* what is carved is opaque */
     to->material.transmission = to->passes ? from->transmission : 0;
     to->is_smooth = to->is_alpha && is_smooth_mask(texturing, from);
     to->mask_alpha = mask_alpha(from);

@@ -237,7 +237,7 @@ static void join_columns(const pcd_file *pcd, const uint8_t *columns, uint8_t *t
     size_t offset = 0;
     for (size_t f = 0; f < pcd->field_count; ++f) {
         const size_t size = pcd->fields[f].size * pcd->fields[f].count;
-        for (size_t i = 0; i < (size_t)pcd->points; ++i, columns += size) {
+        for (size_t i = 0; size > 0 && i < (size_t)pcd->points; ++i, columns += size) {
             memcpy(to + i * pcd->row_size + offset, columns, size);
         }
         offset += size;

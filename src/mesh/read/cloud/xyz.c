@@ -97,11 +97,14 @@ static burnish_status blank_separators(xyz_file *xyz, uint8_t separator) {
 /* The numbers of a line; NaN for other words. Returns how many there are, and *count of words. */
 static size_t read_numbers(burnish_token line, double values[COLUMNS], int whole[COLUMNS],
                            size_t *count) {
+    *count = 0;
+    if (line.size == 0) {
+        return 0;
+    }
     burnish_lexer lexer = {line.bytes, line.bytes + line.size, 0};
     burnish_token word;
     burnish_number_status number;
     size_t numbers = 0;
-    *count = 0;
     while (*count < COLUMNS && burnish_lexer_double(&lexer, &word, &values[*count], &number)) {
         const int is_number = number == BURNISH_NUMBER_OK || number == BURNISH_NUMBER_ODD ||
                               number == BURNISH_NUMBER_NOT_FINITE;
@@ -118,9 +121,13 @@ static size_t read_numbers(burnish_token line, double values[COLUMNS], int whole
 /* The words of a line above the rows as names of columns, if they are as many and x, y and z among
  * them. */
 static void take_names(xyz_file *xyz, burnish_token line) {
+    xyz->has_names = 0;
     while (line.size > 0 && (*line.bytes == '#' || *line.bytes == '/')) {
         ++line.bytes;
         --line.size;
+    }
+    if (line.size == 0) {
+        return;
     }
     burnish_lexer lexer = {line.bytes, line.bytes + line.size, 0};
     burnish_token names[COLUMNS], word;
@@ -142,8 +149,8 @@ static void take_names(xyz_file *xyz, burnish_token line) {
 static void add_row(xyz_file *xyz, const double values[COLUMNS], const int whole[COLUMNS]) {
     for (size_t i = 0; i < xyz->column_count; ++i) {
         xyz_column *column = &xyz->columns[i];
-        column->low = xyz->rows == 0 || values[i] < column->low ? values[i] : column->low;
-        column->high = xyz->rows == 0 || values[i] > column->high ? values[i] : column->high;
+        column->low = xyz->rows == 0 || !(column->low <= values[i]) ? values[i] : column->low;
+        column->high = xyz->rows == 0 || !(column->high >= values[i]) ? values[i] : column->high;
         column->is_whole = (xyz->rows == 0 || column->is_whole) && whole[i];
         if (i + 2 < xyz->column_count) {
             const double length = values[i] * values[i] + values[i + 1] * values[i + 1] +

@@ -82,15 +82,19 @@ static burnish_status prepare_normals(burnish_reader *reader, const burnish_clou
 /* What is framed around the centres of splats: most of one, but little of the whole. */
 static double splat_radius(const burnish_cloud *cloud, double size) {
     const double most = burnish_cloud_diagonal(&cloud->inner) / 10;
-    double least = 0; /* of which sums with coordinates differ */
+    size = most > 0 && 3 * size > most ? most : 3 * size;
+    return size < 1e30 ? size : 1e30;
+}
+
+/* A length of which sums with coordinates differ. */
+static double least_radius(const burnish_cloud *cloud) {
+    double least = (double)FLT_MIN;
     for (int k = 0; k < 3; ++k) {
         const double low = (double)cloud->inner.low[k], high = (double)cloud->inner.high[k];
-        least = high > least ? high : -low > least ? -low : least;
+        const double most = (high > -low ? high : -low) * 0x1p-20;
+        least = most > least ? most : least;
     }
-    least *= 0x1p-20;
-    size = most > 0 && 3 * size > most ? most : 3 * size;
-    size = size < 1e30 ? size : 1e30;
-    return size < least ? least : size;
+    return least;
 }
 
 static burnish_status zero_normals(burnish_mesh_data *mesh) {
@@ -152,7 +156,8 @@ static burnish_status make_cloud(burnish_reader *reader) {
     const double radius = visible      ? splat_radius(&cloud, size)
                           : wanted > 0 ? wanted / 2
                                        : choose_radius(&cloud, are_surface);
-    mesh->point_radius = radius > (double)FLT_MIN ? (float)radius : FLT_MIN;
+    const double least = least_radius(&cloud);
+    mesh->point_radius = (float)(radius > least ? radius : least);
     return status;
 }
 

@@ -98,6 +98,7 @@ burnish_status burnish_visible_splats(burnish_mesh_data *mesh, float **positions
     const size_t all = mesh->streams[BURNISH_SPLAT].count;
     *positions = burnish_allocate(&mesh->memory, all, 3 * sizeof **positions, "splats");
     *count = 0;
+    *size = 0;
     for (float least = FAINT; *positions && *count * 10 < all; least = 0) {
         *count = 0;
         *size = 0;

@@ -11,14 +11,19 @@ typedef struct burnish_splat_values {
     float color[3], opacity;
 } burnish_splat_values;
 
-/* e^x, or e^80. */
+/* e^x, or e^80; of NaN NaN. */
 static inline double burnish_splat_exp(double x) {
-    return burnish_expm1(x < 80 ? x : 80) + 1;
+    return burnish_expm1(x > 80 ? 80 : x) + 1;
 }
 
 /* The colour of the constant spherical harmonic's factor. */
 static inline float burnish_splat_color(double harmonic) {
     return (float)(0.5 + 0.28209479177387814 * harmonic); /* sqrt(1 / pi) / 2 */
+}
+
+/* What stands for a value that is not finite: an infinite logit of an opacity has a meaning. */
+static inline float burnish_splat_odd(double value, int is_opacity) {
+    return is_opacity && value == value ? value > 0 ? 1e3F : -1e3F : __builtin_nanf("");
 }
 
 burnish_splat burnish_splat_of(const burnish_splat_values *values);

@@ -213,7 +213,9 @@ static burnish_status list_contents(burnish_gcode *g) {
 
 /* How many rods there may be. */
 static size_t find_room(const burnish_gcode *g) {
-    const uint64_t budget = burnish_budget_triangles(g->reader);
+    const int is_given = g->reader->input->options->max_triangles < BURNISH_TRIANGLES_MAX;
+    const uint64_t most = burnish_budget_triangles(g->reader);
+    const uint64_t budget = is_given ? most : most / 2; /* of vertices, which are as many, too */
     const uint64_t room = burnish_thinning_room(g->reader->input);
     const uint64_t least = (budget < room ? budget : room) / BURNISH_GCODE_TRIANGLES;
     return least < BURNISH_GCODE_POINTS ? (size_t)least : BURNISH_GCODE_POINTS;

@@ -91,12 +91,12 @@ void burnish_gcode_add(burnish_gcode *gcode, const burnish_gcode_point *point);
 void burnish_gcode_flush(burnish_gcode *gcode);
 
 /* Reduces the path to at most `most` points, by a tolerance of up to 1/2000 of its size, then by
- * leaving out layers, and at last by more tolerance. Errors: LIMIT. */
+ * leaving out layers, and at last by more tolerance. Errors: MEMORY, LIMIT. */
 burnish_status burnish_gcode_reduce(burnish_gcode *gcode, size_t most);
 
 /* ---- gcode_beads.c ---- */
 
-/* Fills the mesh with rods. Errors: MEMORY, LIMIT, CANCELLED. */
+/* Fills the mesh with rods. Errors: MEMORY, CANCELLED. */
 burnish_status burnish_gcode_make_beads(burnish_gcode *gcode);
 
 #endif

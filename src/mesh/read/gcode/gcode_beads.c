@@ -3,8 +3,6 @@
  * them beside each other. */
 #include "mesh/read/gcode/gcode.h"
 
-#include <float.h>
-
 #include "core/vec3.h"
 
 enum { SIDES = 4, CORNERS = 2 * SIDES /* of a ring */, GRAIN = 1 << 12 };

@@ -187,7 +187,7 @@ static void read_comment(burnish_gcode *g, burnish_token text, size_t first, siz
         set_colors(g, text, 255);
     } else if (skip_word(&text, "extruder_colour =")) { /* if the filament's is not stated */
         set_colors(g, text, 1);
-    } else if (text.size > 5 && skip_word(&text, "thumbnail") && text.size > 0) {
+    } else if (skip_word(&text, "thumbnail") && text.size > 0) {
         read_picture(g, text, first, end);
     }
 }
@@ -196,6 +196,9 @@ static void read_comment(burnish_gcode *g, burnish_token text, size_t first, siz
 
 /* The nozzle goes to a point, and filament comes out: of the length `filament`. */
 static void extrude(burnish_gcode *g, const double to[3], double filament) {
+    if (g->memory->status != BURNISH_STATUS_OK || g->is_over) { /* the rest of an arc */
+        return;
+    }
     if (g->reader->input->options->thumbnail == BURNISH_THUMBNAIL_ONLY) {
         g->is_over = g->picture.area > 0;
         return;

@@ -303,7 +303,9 @@ parse_odd(const burnish_lexer *lexer, burnish_token token, double *value) {
         copy[i] = c == ',' ? '.' : (c | 0x20) == 'd' ? 'e' : c;
     }
     if (commas == 1) {
-        const uint8_t *end = find_line_end(lexer->next, lexer->end);
+        enum { AHEAD = 1 << 10 }; /* values of a whole file may be on one line */
+        const uint8_t *most = lexer->end - lexer->next > AHEAD ? lexer->next + AHEAD : lexer->end;
+        const uint8_t *end = find_line_end(lexer->next, most);
         has_point |= memchr(lexer->next, '.', (size_t)(end - lexer->next)) != NULL;
     }
     if (token.size > sizeof copy || commas > 1 || (commas == 1 && has_point)) {

@@ -1,5 +1,6 @@
 /* PLY: rows of one size, vertices column by column, triangles at once. */
 #include "mesh/read/ply/ply_binary.h"
+#include "mesh/read/common/splats.h"
 
 #include "base/numbers.h"
 #include "mesh/read/common/local_origin.h"
@@ -107,9 +108,16 @@ void burnish_ply_convert_vertices(void *user_data, const uint8_t *bytes, size_t 
         }
         for (int i = BURNISH_PLY_SCALE;
              i <= BURNISH_PLY_OPACITY && mesh->streams[BURNISH_SPLAT].count > 0; ++i) {
-            float *splats = mesh->streams[BURNISH_SPLAT].items;
-            convert_floats(rows, bytes, count, &rows->columns[i], 0,
-                           splats + SPLAT_FLOATS * first + (i - BURNISH_PLY_SCALE), SPLAT_FLOATS);
+            const burnish_ply_column *column = &rows->columns[i];
+            float *to = (float *)mesh->streams[BURNISH_SPLAT].items + SPLAT_FLOATS * first +
+                        (i - BURNISH_PLY_SCALE);
+            for (size_t row = 0; row < count; ++row, to += SPLAT_FLOATS) {
+                const double value = burnish_ply_load(bytes + row * rows->row_size + column->offset,
+                                                      column->type, rows->big_endian);
+                if (!burnish_double_to_float(value, to)) {
+                    *to = burnish_splat_odd(value, i == BURNISH_PLY_OPACITY);
+                }
+            }
         }
         if (mesh->streams[BURNISH_COLOR].count > 0) {
             convert_colors(rows, bytes, count, burnish_colors(mesh) + 4 * first);

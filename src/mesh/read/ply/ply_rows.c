@@ -5,6 +5,7 @@
  * values are left over, and there are as many lines as rows, then each line is a row. Missing
  * values at the end of a line get defaults, and extra values are ignored. */
 #include "mesh/read/ply/ply_rows.h"
+#include "mesh/read/common/splats.h"
 
 #include <float.h>
 
@@ -248,8 +249,9 @@ static void append_vertex(ply_parser *p, const double values[BURNISH_PLY_ROLE_CO
     if (p->has_splats) {
         to = burnish_chunk_append(chunk, BURNISH_SPLAT);
         for (int i = BURNISH_PLY_SCALE; i <= BURNISH_PLY_OPACITY && to; ++i, ++to) {
-            *to = 0;
-            burnish_double_to_float(values[i], to);
+            if (!burnish_double_to_float(values[i], to)) {
+                *to = burnish_splat_odd(values[i], i == BURNISH_PLY_OPACITY);
+            }
         }
     }
     if (p->has_colors) {

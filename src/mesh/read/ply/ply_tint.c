@@ -44,21 +44,21 @@ burnish_status burnish_ply_tint_points(const burnish_ply_state *ply) {
         return BURNISH_STATUS_OK;
     }
     find_range(mesh, range);
-    if (!(range[1] > range[0])) {
+    if (ply->header.tint == BURNISH_PLY_GREY && !(range[1] > range[0])) {
         return BURNISH_STATUS_OK;
     }
     if (burnish_mesh_data_reserve(mesh, BURNISH_COLOR, count) != BURNISH_STATUS_OK) {
         return mesh->memory.status;
     }
     mesh->streams[BURNISH_COLOR].count = count;
+    const int is_grey = ply->header.tint == BURNISH_PLY_GREY;
     const double scale = (255 - DARKEST) / ((double)range[1] - (double)range[0]);
     for (size_t i = 0; i < count; ++i) {
         const double value = (double)((const float *)stream->items)[2 * i];
-        const double at = (value - (double)range[0]) * scale;
+        const double at = is_grey ? (value - (double)range[0]) * scale : 0;
         const uint32_t grey =
             DARKEST + (uint32_t)(at > 0 ? at < 255 - DARKEST ? at : 255 - DARKEST : 0);
-        const uint32_t color =
-            ply->header.tint == BURNISH_PLY_GREY ? grey * 0x10101 : color_of_class(value);
+        const uint32_t color = is_grey ? grey * 0x10101 : color_of_class(value);
         uint8_t *rgba = burnish_colors(mesh) + 4 * i;
         rgba[0] = (uint8_t)(color >> 16);
         rgba[1] = (uint8_t)(color >> 8);

@@ -83,19 +83,23 @@ void burnish_threemf_add_rod(burnish_threemf_xml *xml, const burnish_threemf_obj
     for (int i = 0; i < 2; ++i) {
         const char *cap = burnish_threemf_attribute(attributes, i ? "cap2" : "cap1");
         rod.is_round[i] = is_ball || (cap ? !is_word(cap, "butt") : rod.is_round[i]);
-        if (!burnish_threemf_whole(xml, attributes, names[is_ball][0][i], BURNISH_THREEMF_NONE,
-                                   &rod.ends[i]) ||
+        const char *end = burnish_threemf_attribute(attributes, names[is_ball][0][i]);
+        const int is_below = end && *end == '-'; /* out of range */
+        rod.ends[i] = BURNISH_THREEMF_NONE;
+        if ((!is_below && !burnish_threemf_whole(xml, attributes, names[is_ball][0][i],
+                                                 BURNISH_THREEMF_NONE, &rod.ends[i])) ||
             !read_length(xml, attributes, names[is_ball][1][i], rod.radii[0], &rod.radii[i]) ||
             !burnish_threemf_whole(xml, attributes, names[is_ball][2][i], rod.properties[0],
                                    &rod.properties[i])) {
             return;
         }
         if (rod.ends[i] >= object->vertex_count) {
-            burnish_reader_note(threemf->reader, &threemf->reader->damage, NULL,
-                                "%.80s:%u: %s %u is out of range; there are %u vertices, counted "
-                                "from 0",
-                                xml->part, burnish_threemf_line(xml), names[is_ball][0][i],
-                                rod.ends[i], object->vertex_count);
+            burnish_reader_note(
+                threemf->reader, &threemf->reader->damage, NULL,
+                "%.80s:%u: %s %.20s is out of range; there are %u vertices, counted "
+                "from 0",
+                xml->part, burnish_threemf_line(xml), names[is_ball][0][i], end,
+                object->vertex_count);
             return;
         }
     }
@@ -236,7 +240,7 @@ int burnish_threemf_put_lattice(burnish_threemf *threemf, burnish_threemf_object
         return 0;
     }
     const size_t count = threemf->rods.count;
-    const int step = count <= 500 ? 1 : count <= 5000 ? 2 : 3;
+    const int step = count <= 500 ? 1 : count <= 5000 ? 2 : count <= 20000 ? 3 : 6;
     for (size_t i = 0; i < count; ++i) {
         if (!put_rod(threemf, object, &threemf->rods.items[i], step)) {
             return 0;
