@@ -39,7 +39,7 @@ int f3d_is_name(const char *program);
 
 /* Translates f3d's options in a command line whose words from number `first` on are for render. Under
  * f3d's name its letters, too; under another, options that burnish has keep their meaning. Returns
- * the words and *argc; or NULL, with the exit code in *argc. See docs/f3d.md. */
+ * the words and *argc; or NULL, with the exit code in *argc. See docs/pictures.md. */
 char **f3d_translate(int *argc, char **argv, int first);
 
 #endif

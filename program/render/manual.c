@@ -197,6 +197,6 @@ const cli_section render_sections[] = {
      .text = "The long options of *f3d* are accepted: those with another name here are translated, "
              "and those that burnish has nothing like are warnings, also with *--strict*. Run "
              "through a link named "
-             "*f3d*, the program takes its letters, too. docs/f3d.md lists all of them."},
+             "*f3d*, the program takes its letters, too. docs/pictures.md lists all of them."},
     {.heading = NULL},
 };

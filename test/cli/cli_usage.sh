@@ -81,7 +81,7 @@ same "the name of a compressed mesh" "$(size_of)" '1024 768'
 rm -f x.obj.gz
 gives 0 version
 same "version" "$(cat "$out")" "$("$burnish" --version)"
-# Command lines of Manyfold, FreeCAD and file managers, under f3d's name; then every option of docs/f3d.md.
+# Command lines of Manyfold, FreeCAD and file managers, under f3d's name; then every option of docs/pictures.md.
 ln -s "$burnish" f3d
 block 10 6 5 >part.obj
 run render :sphere --edges=1 --size=16 -o y.png
@@ -116,7 +116,7 @@ check "a PNG of this name" grep -q PNG x.jpg
 for words in 'none.obj --output=x.png' 'part.obj --output=x.png --frobnicate' 'part.obj --output=no/x.png' 'part.obj --output=x.png -w'; do
     gives 1 $words
 done
-grep '^| `' "$(dirname "$0")/../../docs/f3d.md" >rows
+grep '^| `' "$(dirname "$0")/../../docs/pictures.md" >rows
 while read -r row; do
     for word in $(printf '%s' "${row#|}" | cut -d'|' -f1 | grep -o '`[^`]*`' | tr -d '`'); do
         gives 0 :sphere --output=x.png --resolution=16,16 --reference-threshold=1 "$word"

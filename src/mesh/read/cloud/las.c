@@ -105,7 +105,7 @@ static burnish_status read_las_head(las_file *las) {
 /* Looks at records evenly over the file. */
 static burnish_status take_las_sample(const las_file *las, las_sample *sample) {
     const burnish_reader *reader = las->reader;
-    const uint64_t step = las->count / SAMPLES + 1;
+    const uint64_t step = (las->count / SAMPLES + 1) | 1; /* classes may alternate */
     const size_t size = las->record_size < USED ? las->record_size : USED;
     const unsigned color_at = records[las->format].color_at;
     uint8_t buffer[USED];
