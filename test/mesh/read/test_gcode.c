@@ -165,7 +165,7 @@ static void test_pieces(void) {
     size_t size = 0;
     for (int i = 0; i < LINES && text; ++i) {
         size += (size_t)snprintf(text + size, ROOM - size, "G1 X%d Y%d.%02d E%d\n", i * 7 % 90,
-                                 i / 900, i * i % 97, i + 1);
+                                 i / 900, (i % 97) * (i % 97) % 97, i + 1);
     }
     FILE *file = fopen(path, "wb");
     CHECK1(text && file && fwrite(text, 1, size, file) == size && size > (1 << 20) + 9);
