@@ -205,7 +205,7 @@ static void test_thumbnails(void) {
                   "are not PNG or JPEG; export G-code of a 3D printer as text, with thumbnails in "
                   "PNG");
     check_refused(
-        "G0 X1 Z5\nG1 Z-1 F100\nG1 X9\nM3 S1\n", 35, "mill.gcode", NULL, BURNISH_STATUS_FORMAT,
+        "G0 X1 Z5\nG1 Z-1 F100\nG1 X9\nM3 S1\n", 33, "mill.gcode", NULL, BURNISH_STATUS_FORMAT,
         "mill.gcode: no move has filament (E); export G-code of a 3D printer as text, with "
         "thumbnails in PNG");
 }
