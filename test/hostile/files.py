@@ -269,6 +269,14 @@ def packed(data):
     return gzip.compress(data, 9, mtime=0)
 
 
+def nested_gzip(size):
+    """A ZIP whose part is gzip: of one member that is stored, so the part is not small, and of one that unpacks to `size`."""
+    out = io.BytesIO()
+    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("a.obj", gzip.compress(FOUR + b"f 1 2 3\n" + b" " * (2 * MIB), 0, mtime=0) + packed(b" " * size))
+    return out.getvalue()
+
+
 def ply(vertices, body, properties="xyz", kind="char", face=None, encoding="binary_little_endian"):
     head = "ply\nformat %s 1.0\nelement vertex %d\n" % (encoding, vertices)
     head += "".join("property %s %s\n" % (kind, name) for name in properties)
@@ -389,6 +397,9 @@ FILES = {
     "polygons.ply": (lambda: polygons(3900, 255), "--views=front", 5),
     "points.ply": (lambda: ply(330000, random.Random(5).randbytes(990000)), "", 0),
     "faces.off": (lambda: b"OFF\n4 120000 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n" + b"3 0 1 2\n" * 120000, "--views=front", 5),
+    "commas.ply": (lambda: ply(60000, b"".join(b"%d,5 %d,5 0,5 " % (i % 245, i // 245) for i in range(60000)), kind="float", encoding="ascii"), "", 0),
+    "nested.zip": (lambda: nested_gzip(30 * MIB), "", 0),
+    "nested-more.zip": (lambda: nested_gzip(100 * MIB), "", 5),
     # gzip, below its limit
     "fan.obj.gz": (lambda: packed(FOUR + b"f " + b"1 2 3 4 " * 5000000), "", 5),
     "faces.obj.gz": (lambda: packed(FOUR + b"f 1 2 3\n" * 7000000), "", 5),

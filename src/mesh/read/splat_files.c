@@ -19,13 +19,6 @@ static burnish_status reserve_splats(burnish_reader *reader, size_t count) {
     return mesh->memory.status;
 }
 
-static float load_float(const uint8_t *bytes) {
-    const uint32_t bits = burnish_load32(bytes);
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
 /* ---- .splat: position, scale, 4 bytes sRGB and opacity, 4 bytes of a quaternion ---- */
 
 enum { ROW = 32, COLOR_AT = 24, ROTATION_AT = 28 };
@@ -38,8 +31,9 @@ static void splat_convert(void *user_data, size_t first, size_t end) {
     for (size_t i = first; i < end; ++i, row += ROW, position += 3) {
         burnish_splat_values splat = {.opacity = (float)row[COLOR_AT + 3] / 255.0F};
         for (size_t k = 0; k < 3; ++k) {
-            position[k] = (float)((double)load_float(row + 4 * k) - reader->mesh->origin[k]);
-            splat.scale[k] = load_float(row + 12 + 4 * k);
+            position[k] =
+                (float)((double)burnish_load_float(row + 4 * k) - reader->mesh->origin[k]);
+            splat.scale[k] = burnish_load_float(row + 12 + 4 * k);
             splat.color[k] = (float)row[COLOR_AT + k] / 255.0F;
         }
         for (int k = 0; k < 4; ++k) {
@@ -79,7 +73,7 @@ static int splat_recognise(const uint8_t *bytes, size_t size) {
     }
     good &= !is_text;
     for (size_t k = 0; k < 6 && good; ++k) {
-        const float value = load_float(bytes + 4 * k);
+        const float value = burnish_load_float(bytes + 4 * k);
         good = value >= (k < 3 ? -1e6F : 0) && value <= 1e6F;
     }
     for (int k = 0; k < 4 && good; ++k) {

@@ -29,7 +29,7 @@ double burnish_cloud_diagonal(const burnish_box *box) {
         burnish_vec3_sub(burnish_vec3_loadf(box->high), burnish_vec3_loadf(box->low)));
 }
 
-static int compare_floats(const void *a, const void *b) {
+int burnish_compare_floats(const void *a, const void *b) {
     const float x = *(const float *)a, y = *(const float *)b;
     return (x > y) - (x < y);
 }
@@ -48,7 +48,7 @@ static burnish_status trim_box(const burnish_cloud *cloud, size_t share, float w
         for (size_t i = 0; i < count; ++i) {
             values[i] = cloud->positions[3 * i * step + k];
         }
-        qsort(values, count, sizeof *values, compare_floats);
+        qsort(values, count, sizeof *values, burnish_compare_floats);
         box->low[k] = values[rest];
         box->high[k] = values[count - 1 - rest];
     }

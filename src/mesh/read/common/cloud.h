@@ -34,6 +34,9 @@ typedef struct burnish_cloud {
  * Errors: MEMORY. */
 burnish_status burnish_cloud_measure(burnish_cloud *cloud, burnish_memory *memory);
 
+/* For qsort(). */
+int burnish_compare_floats(const void *a, const void *b);
+
 double burnish_cloud_diagonal(const burnish_box *box);
 
 /* ---- cloud_normals.c ---- */

@@ -1,6 +1,7 @@
 /* Colours of points that have none, from a quantity: intensities, and classes of LiDAR. */
 #include <stdlib.h>
 
+#include "mesh/read/common/cloud.h"
 #include "mesh/read/ply/ply_rows.h"
 
 /* The colours of classes 0 to 31 of LAS (ASPRS, "LAS Specification", table 17), in hexadecimal. */
@@ -13,11 +14,6 @@ static uint32_t color_of_class(double value) {
     return color ? color : 0xC8C8C8;
 }
 
-static int compare_floats(const void *a, const void *b) {
-    const float x = *(const float *)a, y = *(const float *)b;
-    return (x > y) - (x < y);
-}
-
 /* The values of S between which nearly all are. */
 static void find_range(const burnish_mesh_data *mesh, float range[2]) {
     enum { SAMPLES = 1024, FEW = 100 };
@@ -28,7 +24,7 @@ static void find_range(const burnish_mesh_data *mesh, float range[2]) {
     for (size_t i = 0; i < stream->count; i += step) {
         sample[count++] = ((const float *)stream->items)[2 * i];
     }
-    qsort(sample, count, sizeof *sample, compare_floats);
+    qsort(sample, count, sizeof *sample, burnish_compare_floats);
     range[0] = sample[count / FEW];
     range[1] = sample[count - 1 - count / FEW];
 }
