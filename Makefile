@@ -57,11 +57,11 @@ test-all: ## also other processors, hardware, firmware, figures and other compil
 	$(call build,$(PRESET),all)
 	$(call test,$(PRESET),-LE '^job$$')
 
-.PHONY: view
-view: ## build burnish with its window (SDL2), and test it and the desktop's files
-	$(DEPS) build test view
+.PHONY: desktop
+desktop: ## test the thumbnailer and the other files of desktops
+	$(DEPS) build test desktop
 	$(call build,release,all)
-	$(call test,release,-L '^view$$')
+	$(call test,release,-L '^desktop$$')
 
 .PHONY: check
 check: format-check fuzz-briefly ## format, the tests that matter under each sanitizer, a little fuzzing

@@ -202,16 +202,11 @@ typedef struct burnish_load_options {
                               together. A number that the project lacks fails with ARGUMENT; a file
                               without plates ignores it */
     burnish_thumbnail thumbnail; /* AUTO, NEVER or ONLY */
-    uint64_t max_memory;      /* bytes for loading and drawing, 0: no limit. An STL, PLY, OBJ or OFF
-                            file that needs more becomes a preview, with a warning: of STL one in so
-                            many triangles, as a point at its middle with its normal; of the others
-                            one in so many vertices, as a point without faces, materials and
-                            textures; evenly in the order of the file. Files are read in pieces
-                            then, but for packed ones, pipes and memory, which count in full. It
-                            fails with MEMORY if 10,000 points need more. An estimate, for pictures
-                            of up to 2048 x 2048 pixels; other formats ignore it */
-    uint64_t max_input_bytes; /* a larger file fails with LIMIT */
-    uint64_t max_triangles;   /* more fail with LIMIT. BURNISH_TRIANGLES_MAX: as many as give 5
+    uint64_t max_memory; /* bytes for loading and drawing, 0: no limit. By an estimate, for pictures
+                            of up to 2048 x 2048 pixels, G-code that needs more is drawn in fewer
+                            layers. Other formats ignore it: let the context's allocator fail */
+    uint64_t max_input_bytes;    /* a larger file fails with LIMIT */
+    uint64_t max_triangles;      /* more fail with LIMIT. BURNISH_TRIANGLES_MAX: as many as give 5
                                        vertices and triangles per byte of the input and its
                                        referenced files */
     uint64_t max_texture_pixels; /* of all textures together; others are skipped with a warning.
@@ -421,8 +416,6 @@ typedef struct burnish_mesh_info {
     burnish_format format;          /* not AUTO */
     size_t point_count, line_count; /* in a file without faces: drawn as spheres and prisms */
     size_t layer_count;             /* of G-code; its lines are the moves with filament */
-    size_t thinning;                /* > 1: a preview of one in so many vertices or triangles, for
-                        burnish_load_options.max_memory; 1: all */
     double read_seconds;            /* wall-clock time of opening and parsing, or copying arrays */
     double build_seconds;           /* wall-clock time of welding, normals, order */
     const char *unit;               /* of length, from the file or format: "micron",

@@ -162,7 +162,6 @@ static const cli_term report_terms[] = {
     {"*volume, area, closed, solid, open_edges, shells*",
      "with *--facts*, as *burnish info --json* has them; missing for points and lines"},
     {"*width, height, blank, warnings*", "as *burnish render --json* has them"},
-    {"*preview_memory*", "of a preview: the *--max-memory* for which it was made"},
     {"*files, files_hash*", "files that the input names; XXH64 over names and bytes"},
     {"*code, error*", "of a failed input: exit code and message of *burnish render*"},
     {"*seconds*", "wall-clock time, the only value that differs between runs"},

@@ -45,7 +45,7 @@ typedef struct facts {
     double volume, area;
     uint64_t open_edges, shells;
     int32_t is_measured, is_closed, is_solid;
-    int32_t is_drawn, format, width, height, is_blank, is_preview;
+    int32_t is_drawn, format, width, height, is_blank;
     uint32_t warning_count, unmet;
     char warnings[WARNINGS_MAX][WARNING_BYTES];
     char message[480];
@@ -145,12 +145,6 @@ static int has_same_files(const cJSON *line, const char *input, const char *root
     return !names || is_hash(batch_text(line, "files_hash"), hash);
 }
 
-/* Whether a line's picture is no preview, or one for the same limit. */
-static int fits_memory(const cJSON *line, uint64_t max_memory) {
-    const cJSON *item = cJSON_GetObjectItemCaseSensitive(line, "preview_memory");
-    return !item || (cJSON_IsNumber(item) && item->valuedouble == (double)max_memory);
-}
-
 /* Whether the line of an earlier run, or NULL, still applies. */
 static int is_unchanged(const batch *b, const batch_item *item, const struct batch_past_line *past,
                         uint64_t hash) {
@@ -163,7 +157,6 @@ static int is_unchanged(const batch *b, const batch_item *item, const struct bat
     const int is_same = object && strcmp(batch_text(object, "status"), "done") == 0 &&
                         is_hash(batch_text(object, "hash"), hash) &&
                         !cJSON_HasObjectItem(object, "uncertain") &&
-                        fits_memory(object, b->settings->render.job.max_memory) &&
                         has_same_files(object, item->input, b->settings->render.input.load.root);
     cJSON_Delete(object);
     return is_same;
@@ -182,7 +175,6 @@ static void record_result(void *context, const render_result *result) {
     f->width = result->picture->width;
     f->height = result->picture->height;
     f->is_blank = result->blank_cells > 0;
-    f->is_preview = info->thinning > 1;
     float low[3], high[3];
     burnish_mesh_get_bounds(result->mesh, low, high);
     for (int k = 0; k < 3; ++k) {
@@ -409,10 +401,6 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
     cli_json_add(object, "height", cJSON_CreateNumber(f->height), &failed);
     cli_json_add(object, "blank", cJSON_CreateBool(f->is_blank != 0), &failed);
     add_warnings(object, f, &failed);
-    if (f->is_preview) {
-        const uint64_t most = b->settings->render.job.max_memory;
-        cli_json_add(object, "preview_memory", cli_json_count((size_t)most), &failed);
-    }
     if (seen->count > 0) {
         cli_json_add(object, "files", cli_json_texts(seen->count, seen->names), &failed);
         batch_add_hash(object, "files_hash", seen->hash, &failed);

@@ -216,6 +216,15 @@ static void take_words(int argc, char **argv, int i) {
     }
 }
 
+int f3d_refuse_window(const char *name) {
+    burnish_error error;
+    return cli_exit_code(cli_fail(&error, BURNISH_STATUS_ARGUMENT,
+                                  "%s: burnish has no window; draw a picture by \"burnish INPUT -o "
+                                  "OUTPUT\", or use a viewer such as f3d",
+                                  name),
+                         &error);
+}
+
 char **f3d_translate(int *argc, char **argv, int first) {
     size_t size = 0;
     burnish_error error;
@@ -248,12 +257,13 @@ char **f3d_translate(int *argc, char **argv, int first) {
         put("--resolution=1000,600");
     }
     take_words(*argc, argv, first);
-    if (line.input && (line.is_question || !line.has_output)) {
-        line.count = first;
-        put(line.is_question ? "info" : "view");
-    }
     if (line.input && line.is_question) {
+        line.count = first;
+        put("info");
         put("--scene-box");
+    } else if (line.input && !line.has_output) {
+        *argc = f3d_refuse_window("f3d");
+        return NULL;
     }
     if (line.input) {
         put("--");

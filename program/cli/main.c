@@ -170,6 +170,9 @@ static int find_render_words(int argc, char **argv) {
 int main(int argc, char **argv) {
     cli_is_input_name = cli_is_mesh_name;
     const int is_f3d = argc > 0 && f3d_is_name(argv[0]);
+    if (!is_f3d && argc > 1 && strcmp(argv[1], "view") == 0 && !implies_render("view")) {
+        return f3d_refuse_window("view");
+    }
     const int first = is_f3d ? 1 : find_render_words(argc, argv);
     char **words = first > 0 ? f3d_translate(&argc, argv, first) : argv;
     const int code = words ? cli_run_program(&burnish, argc, words) : argc;

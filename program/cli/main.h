@@ -18,7 +18,6 @@ enum { CLI_EXIT_LIST(CLI_EXIT_ENUM) };
 /* X(table) of every command, in the order of the help screen. */
 #define CLI_COMMAND_LIST(X)                                                                        \
     X(render_command)                                                                              \
-    X(view_command)                                                                                \
     X(batch_command)                                                                               \
     X(serve_command)                                                                               \
     X(compare_command)                                                                             \
@@ -41,5 +40,8 @@ int f3d_is_name(const char *program);
  * f3d's name its letters, too; under another, options that burnish has keep their meaning. Returns
  * the words and *argc; or NULL, with the exit code in *argc. See docs/pictures.md. */
 char **f3d_translate(int *argc, char **argv, int first);
+
+/* Says that there is no window, which `name` would open. Returns the exit code. */
+int f3d_refuse_window(const char *name);
 
 #endif

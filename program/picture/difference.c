@@ -48,7 +48,8 @@ burnish_status picture_subtract(const burnish_image *reference, const burnish_im
     return BURNISH_STATUS_OK;
 }
 
-void picture_draw_centered(burnish_image *image, float x, float y, float height, const char *text) {
+/* Draws a line of text centred at x. */
+static void draw_centered(burnish_image *image, float x, float y, float height, const char *text) {
     static const uint8_t ink[3] = {47, 54, 63};
     const float width = burnish_image_draw_text(NULL, 0, 0, height, ink, text);
     burnish_image_draw_text(image, x - width / 2, y, height, ink, text);
@@ -70,7 +71,7 @@ void picture_draw_scale(burnish_image *card, const int box[4], float height, dou
         char text[32];
         const double share = (double)i / (MARKS - 1), value = low + share * (end - low);
         snprintf(text, sizeof text, low < 0 && value != 0 ? "%+.3g" : "%.3g", value);
-        picture_draw_centered(card, (float)(left + share * width),
-                              (float)(top + thickness) + 2 * height, height, text);
+        draw_centered(card, (float)(left + share * width), (float)(top + thickness) + 2 * height,
+                      height, text);
     }
 }

@@ -19,7 +19,4 @@ burnish_status picture_subtract(const burnish_image *reference, const burnish_im
 void picture_draw_scale(burnish_image *card, const int box[4], float height, double low,
                         double end);
 
-/* Draws a line of text centred at x. */
-void picture_draw_centered(burnish_image *image, float x, float y, float height, const char *text);
-
 #endif

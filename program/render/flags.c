@@ -126,24 +126,24 @@ static const cli_flag flags[] = {
      .not_for = HEIR_ANY, .file = CLI_READS, .aliases = "inputs-from,files0-from,from-file",
      .manual = "Reads names of inputs from _FILE_, as *burnish batch* does."},
     {DRAW_FLAG("resolution", "W,H", "width and height in pixels", cli_flag_size, picture.size),
-     .not_for = HEIR_BATCH | HEIR_SERVE | HEIR_COMPARE | HEIR_VIEW,
-     CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .default_text = "1024,768", .aliases = "res",
+     .not_for = HEIR_BATCH | HEIR_SERVE | HEIR_COMPARE, CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE),
+     .default_text = "1024,768", .aliases = "res",
      .manual = "Width and height of the picture in pixels, each from 1 to 16384. _W_*x*_H_ is the "
                "same. On a sheet this is the size of each cell."},
     {DRAW_FLAG("size", "WxH", "width and height in pixels; N: a square", cli_flag_size,
                picture.size),
-     .not_for = HEIR_VIEW, CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .letter = 's',
-     .default_label = "1024x768", .common = 1, .aliases = "resize,thumbnail-size,geometry",
+     CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE), .letter = 's', .default_label = "1024x768", .common = 1,
+     .aliases = "resize,thumbnail-size,geometry",
      .manual = "*--size=*_W_*x*_H_ is the same as *--resolution=*_W_*,*_H_, and *--size=*_N_ the "
                "same as *--resolution=*_N_*,*_N_."},
     {DRAW_FLAG("width", "N", "width; the height follows, unless it is given", cli_flag_integer,
                picture.sides[0]),
-     .not_for = HEIR_COMPARE | HEIR_VIEW, CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE),
+     .not_for = HEIR_COMPARE, CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE),
      .manual = "Width of the picture in pixels. Without *--height*, the height keeps the "
                "proportions of *--resolution*."},
     {DRAW_FLAG("height", "N", "height; the width follows, unless it is given", cli_flag_integer,
                picture.sides[1]),
-     .not_for = HEIR_COMPARE | HEIR_VIEW, CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE),
+     .not_for = HEIR_COMPARE, CLI_RANGE(1, BURNISH_IMAGE_MAX_SIZE),
      .manual = "Height of the picture in pixels. Without *--width*, the width keeps the "
                "proportions of *--resolution*."},
     {DRAW_FLAG("rows", "FIRST:COUNT", "draw only these rows of the picture", render_flag_rows,
@@ -172,7 +172,7 @@ static const cli_flag flags[] = {
                "last of both counts."},
     {DRAW_FLAG("no-background", NULL, "transparent background", render_flag_no_background,
                picture.background),
-     .not_for = HEIR_VIEW, .common = 1, .aliases = "transparent,transparency",
+     .common = 1, .aliases = "transparent,transparency",
      .manual = "Makes the background transparent: the PNG has an alpha channel."},
     {DRAW_FLAG("views", "LIST", "one or more", render_flag_views, picture.views),
      .value_type = CLI_TYPE_WORDS, .common = 1, .words = view_words, .aliases = "view",
@@ -189,7 +189,7 @@ static const cli_flag flags[] = {
                "*--annotate=dimensions* gives each length once. With *--dpi* a unit is a "
                "millimetre, and the scale on paper is one of ISO 5455, such as 1:2."},
     {DRAW_FLAG("annotate", "LIST", "draw measurements", render_flag_annotate, picture.annotations),
-     .value_type = CLI_TYPE_WORDS, .not_for = HEIR_COMPARE | HEIR_VIEW, .words = annotation_words,
+     .value_type = CLI_TYPE_WORDS, .not_for = HEIR_COMPARE, .words = annotation_words,
      .off = "none", .aliases = "annotations,axis,grid,dimensions,scale-bar,bounding-box,g,x",
      .manual =
          "Draws lines and numbers around the object, a list with commas: *axes*, the directions of "
@@ -527,7 +527,7 @@ static const cli_flag flags[] = {
                "surfaces are not. The camera frames the rest."},
     {LOAD_FLAG("color-by", "VALUE", "height, normal, part (feature), filament (tool) or a property",
                cli_flag_text, input.coloring.by),
-     .not_for = HEIR_COMPARE | HEIR_VIEW, .svg = CLI_SVG_REFUSED, .also = "coloring-array,scalars",
+     .not_for = HEIR_COMPARE, .svg = CLI_SVG_REFUSED, .also = "coloring-array,scalars",
      .aliases = "scalar-coloring",
      .manual =
          "Colours the object by values of its vertices instead of its own colours: *height* along "
@@ -539,18 +539,17 @@ static const cli_flag flags[] = {
          "are interpolated over triangles and then mapped. A legend shows the range; framing "
          "leaves room for it. Not for *--look=drawing*, which has no colours."},
     {LOAD_FLAG("color-map", "NAME", "map of --color-by", cli_flag_word, input.coloring.map),
-     .not_for = HEIR_COMPARE | HEIR_VIEW, .words = color_map_words, .default_text = "viridis",
+     .not_for = HEIR_COMPARE, .words = color_map_words, .default_text = "viridis",
      .also = "colormap-file", .aliases = "colormap",
      .manual = "Colours of *--color-by*: *viridis*, *coolwarm*, which diverges from a grey middle, "
                "or *grey*. The colours are then lit like any others."},
     {LOAD_FLAG("color-range", "LO:HI", "range of --color-by", render_flag_range,
                input.coloring.range),
-     .not_for = HEIR_COMPARE | HEIR_VIEW, .default_label = "of the values",
-     .also = "coloring-range,range",
+     .not_for = HEIR_COMPARE, .default_label = "of the values", .also = "coloring-range,range",
      .manual = "Values with the first and the last colour of the map. Values beyond them get the "
                "nearest of the two. If _LO_ is more than _HI_, the map is reversed."},
     {DRAW_SWITCH("no-legend", "no legend of --color-by", input.coloring.no_legend),
-     .not_for = HEIR_COMPARE | HEIR_VIEW,
+     .not_for = HEIR_COMPARE,
      .manual = "Omits the bar of *--color-by* with its numbers, and the room for it."},
     {LOAD_FLAG("normals", "NAME", "source", cli_flag_word, input.normals), .words = normals_words,
      .default_text = "auto",
@@ -600,11 +599,8 @@ static const cli_flag flags[] = {
               job.max_memory),
      .phases = CLI_PHASE_PROCESS, .not_for = HEIR_ANY, CLI_RANGE(1, 9e18), .default_label = "all",
      .manual = "Limit on the address space of the process in bytes, including reserved but unused "
-               "memory such as the stacks of threads. An STL, PLY, OBJ, OFF, PCD, LAS or XYZ file "
-               "that would need "
-               "more becomes a preview: one in so many triangles (STL) or vertices (the others), "
-               "as points, with a warning. Any other run that needs more ends with exit code 6. "
-               "_N_ can end in *K*, *M* or *G*."},
+               "memory such as the stacks of threads. A run that needs more ends with exit code "
+               "6; G-code is drawn in fewer layers. _N_ can end in *K*, *M* or *G*."},
     {CLI_SWITCH("sandbox", "read and draw in a process that can't open files", job.sandbox),
      .phases = CLI_PHASE_PROCESS, .not_for = HEIR_ANY,
      .manual = "Reads, draws and encodes in a separate process that can not open files or sockets "

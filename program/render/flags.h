@@ -11,10 +11,9 @@ enum {
     HEIR_SERVE = 2,
     HEIR_REQUEST = 4, /* of serve-stdio: without the operator's limits and without files */
     HEIR_COMPARE = 8,
-    HEIR_VIEW = 16,
-    HEIR_SESSION = 32, /* the bindings */
-    HEIR_ONE_PICTURE = HEIR_COMPARE | HEIR_VIEW | HEIR_SESSION,
-    HEIR_ANY = 63
+    HEIR_SESSION = 16, /* the bindings */
+    HEIR_ONE_PICTURE = HEIR_COMPARE | HEIR_SESSION,
+    HEIR_ANY = 31
 };
 
 /* Sections of the man page. */

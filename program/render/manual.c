@@ -113,7 +113,6 @@ static const cli_term json_terms[] = {
      "the command info"},
     {"*color_by, color_range*",
      "what *--color-by* names, and the values of the first and the last colour; null without it"},
-    {"*thinning*", "1, or of how many vertices or triangles one is drawn for *--max-memory*"},
     {"*points, splats, lines*", "of an input without faces; splats are points, too"},
     {"*thumbnail*", "true if the picture that a 3MF or G-code file holds is drawn, no geometry"},
     {"*bounding_box, unit*",

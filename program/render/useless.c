@@ -81,12 +81,6 @@ burnish_status render_check_drawing(render_settings *settings, burnish_error *er
                                                                        : BURNISH_STATUS_OK;
 }
 
-cli_need render_environment_need(const render_settings *settings) {
-    return (cli_need){"environment-strength,environment-turn",
-                      settings->shading.environment.name != NULL,
-                      "there is no environment; use --environment=sky, room or a file"};
-}
-
 /* The needs of flags for what is drawn: sheets, projections, colours and light. */
 static size_t list_scene_needs(const render_settings *settings, cli_need *needs) {
     const render_camera_settings *camera = &settings->camera;
@@ -133,7 +127,8 @@ static size_t list_scene_needs(const render_settings *settings, cli_need *needs)
          "a drawing is not shaded; use another --look"},
         {"lobe", has_shades || shading->lobes.count > 1,
          "a drawing is not shaded; use another --look"},
-        render_environment_need(settings),
+        {"environment-strength,environment-turn", shading->environment.name != NULL,
+         "there is no environment; use --environment=sky, room or a file"},
         {"edge-width,edge-color", has_lines(settings, is_parallel(settings)),
          "no lines are drawn; use --edges"},
         {"outline-contrast", !settings->picture.background.transparent,

@@ -12,9 +12,6 @@ size_t render_list_needs(const render_settings *settings, cli_need needs[RENDER_
 size_t render_list_input_needs(const render_settings *settings, const burnish_mesh *mesh,
                                cli_need needs[RENDER_NEEDS_MAX]);
 
-/* The one that keys of `burnish view` can not meet. */
-cli_need render_environment_need(const render_settings *settings);
-
 /* Adds a warning to the result for each flag in vain. Errors: ARGUMENT with --strict. */
 burnish_status render_warn_needs(render_result *result, const cli_need *needs, size_t count,
                                  burnish_error *error);

@@ -325,7 +325,7 @@ static burnish_status load_input(const burnish_reader_input *input, burnish_form
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_read(&reader, &format);
-        *again = input->streamed && !burnish_must_stream(input) &&
+        *again = input->streamed &&
                  (status == BURNISH_STATUS_OK
                       ? reader.has_warned
                       : status != BURNISH_STATUS_MEMORY && status != BURNISH_STATUS_CANCELLED);

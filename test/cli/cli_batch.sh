@@ -160,21 +160,6 @@ touch e.hdr
 drawn_as
 check "the same bytes with another time: drawn again" [ -z "$(find out -newermt @1000000000 -name a.png)" ]
 rm -rf out e.hdr one.png first.png
-# A preview is drawn again with another limit of memory; other pictures stay.
-if [ -z "$memory" ]; then
-    head -c 20000084 /dev/zero >many.stl
-    printf '\200\032\006' | dd of=many.stl bs=1 seek=80 conv=notrunc 2>/dev/null
-    batch many.stl in/a.off -d out --size=16 --max-memory=100M
-    touch -d @1000000000 out/many.png out/a.png
-    batch many.stl in/a.off -d out --size=16 --max-memory=100M
-    check "the same limit: drawn again" [ -z "$(find out -newermt @1000000000 -name '*.png')" ]
-    check "a preview: $(cat "$err")" grep -q 'a preview' out/burnish-batch.jsonl
-    batch many.stl in/a.off -d out --size=16
-    check "a preview after a higher --max-memory: kept" [ "$(grep -c 'preview' out/burnish-batch.jsonl)" = 0 ]
-    check "another picture after it: drawn again" [ -z "$(find out -newermt @1000000000 -name a.png)" ]
-    rm -rf out many.stl
-fi
-
 # Parts: each input in one of them, as equal in bytes as can be; together they are the whole, and a part that is missing is drawn
 # by the run that writes the report of all. So are those of the examples for arrays of jobs and for queues.
 batch in -r -d out --size=16 --no-seconds

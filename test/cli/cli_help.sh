@@ -7,7 +7,7 @@
 fits() { awk 'length($0) > 100 || / $/ { bad = 1 } END { exit bad || NR > 42 || NR < 5 }' "$1"; }
 
 lobe="table claims choose boundary rough plot"
-screens="--help;-h;help;--help=render;--help=lobe;render --help;render -h;view --help;help render;info --help;help info;batch --help;help batch;serve-stdio --help;help serve-stdio;compare --help;compare -h;help compare;help --help;lobe --help;lobe -h;help lobe"
+screens="--help;-h;help;--help=render;--help=lobe;render --help;render -h;help render;info --help;help info;batch --help;help batch;serve-stdio --help;help serve-stdio;compare --help;compare -h;help compare;help --help;lobe --help;lobe -h;help lobe"
 for part in $lobe; do
     screens="$screens;lobe $part --help;help lobe $part"
 done

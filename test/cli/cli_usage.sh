@@ -91,8 +91,11 @@ run render :sphere --look=technical --edges=none --size=16 -o y.png
 run render :sphere --look=technical --size=16 -o x.png
 check "--edges=none is burnish's" [ "$(cmp x.png y.png | wc -l)" = 1 ]
 expect 2 'burnish: --no-render: unknown flag; "burnish render --help" lists the flags' render :sphere --no-render
+no_window='burnish has no window; draw a picture by "burnish INPUT -o OUTPUT", or use a viewer such as f3d'
+expect 2 "burnish: view: $no_window" view part.obj
 burnish_before=$burnish
 burnish=$scratch/f3d
+expect 1 "burnish: f3d: $no_window" part.obj --axis=1
 gives 0 part.obj --ambient-occlusion=1 --anti-aliasing=true --axis=0 --background-color=0,0,0 --filename=0 --grid=1 \
     --grid-color=0,255,255 --grid-subdivisions=0 --grid-unit=10 --no-config=1 --output=- --resolution=64,64 \
     --tone-mapping=1 --translucency-support=1 --up=+z --camera-direction=-1,1,-0.5 --color=1,1,1
@@ -161,6 +164,11 @@ nothing_left "names"
 run render :sphere --max-memory=5M -o a.png
 if [ "$code" = 6 ]; then
     check "memory: $(cat "$err")" grep -qE '^burnish: out of memory: no [0-9]+ bytes for [^;]+; ' "$err"
+    truncate -s 100000084 many.stl
+    printf '\200\204\036' | dd of=many.stl bs=1 seek=80 conv=notrunc 2>/dev/null # 2,000,000 triangles
+    expect 6 'burnish: out of memory: no 72000000 bytes for positions; raise max-memory, free memory, or use a smaller input' \
+        render many.stl --max-memory=80M --threads=1 -o a.png
+    rm -f many.stl
 fi
 
 finish

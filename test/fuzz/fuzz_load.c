@@ -22,8 +22,7 @@
 
 #include "burnish/mesh.h"
 #include "burnish/render.h"
-#include "mesh/read/io/streaming.h"
-#include "mesh/read/io/thinning.h"
+#include "mesh/read/io/budget.h"
 #include "mesh_arrays.h"
 #include "zip_input.h"
 
@@ -31,7 +30,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 enum {
     HEAD = 4,
-    PREVIEW_POINTS = 20,
+    ROOM = 20, /* of pieces of G-code, in triangles */
     /* The files' folder: "/proc/self/fd/100" finds its library "101" there. */
     MESH_DESCRIPTOR = 100,
     LIBRARY_DESCRIPTOR = 101,
@@ -97,8 +96,7 @@ static void release_echo(void *user_data, const uint8_t *decoded, size_t size) {
 static void load_more(uint8_t choice, size_t size, burnish_load_options *options) {
     options->scalar_property = choice & 1 ? "_s" : NULL;
     options->keep_texture_coordinates = choice >> 1 & 1;
-    options->max_memory =
-        choice & 4 ? BURNISH_RUN_BYTES + PREVIEW_POINTS * BURNISH_ROW_BYTES + size : 0;
+    options->max_memory = choice & 4 ? BURNISH_RUN_BYTES + ROOM * BURNISH_ELEMENT_BYTES + size : 0;
     options->normals = choice & 32 ? BURNISH_NORMALS_OWN : BURNISH_NORMALS_AUTO;
 }
 

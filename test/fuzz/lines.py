@@ -114,7 +114,6 @@ def main():
     for kind in "obj", "mtl", "stl", "ply":
         for path in glob.glob(f"{data}/*.{kind}"):
             shutil.copy(path, scratch)
-    os.environ["SDL_VIDEODRIVER"] = "none" # no windows
     commands, codes = read_completions(program), read_exit_codes(program)
     os.chdir(scratch)
     failed = done = 0

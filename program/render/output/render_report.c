@@ -185,7 +185,6 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "splats", cli_json_count(view->splats ? info->point_count : 0), failed);
     cli_json_add(root, "lines", cli_json_count(info->line_count), failed);
     cli_json_add(root, "thumbnail", cJSON_CreateBool(info->is_thumbnail), failed);
-    cli_json_add(root, "thinning", cli_json_count(info->thinning), failed);
     const size_t materials = burnish_mesh_get_material_count(mesh);
     cli_json_add(root, "materials", cli_json_count(materials), failed);
     cli_json_add(root, "textures", cli_json_count(burnish_mesh_get_texture_count(mesh)), failed);

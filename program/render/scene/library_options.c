@@ -36,7 +36,8 @@ int render_has_own_lobe(const render_shading_settings *shading) {
            shading->equation != BURNISH_SPECULAR_BLINN;
 }
 
-void render_make_phong(burnish_material *material) {
+/* Makes wide light take the exponent of a material that has a roughness. */
+static void make_phong(burnish_material *material) {
     if (!material->is_metallic) {
         material->metallic = material->roughness = 0;
         memset(material->reflectance, 0, sizeof material->reflectance);
@@ -63,7 +64,7 @@ static void apply_preset(const render_preset *preset, int is_wide, burnish_mater
         memset(&material->textures[BURNISH_TEXTURE_METALLIC_ROUGHNESS], 0,
                sizeof *material->textures);
     } else {
-        render_make_phong(material);
+        make_phong(material);
     }
     for (int k = 0; k < 3; ++k) {
         float tint = 1 + preset->tint * (material->diffuse[k] - 1);
@@ -120,7 +121,7 @@ static burnish_material adjusted_material(const render_shading_settings *shading
         apply_preset(&render_presets[shading->material - 1], has_wide_light(shading), &material);
     }
     if (shading->specular.given || shading->exponent.given) {
-        render_make_phong(&material);
+        make_phong(&material);
     }
     if (shading->specular.given) {
         drop_layers(&material);

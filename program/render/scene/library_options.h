@@ -12,9 +12,6 @@ burnish_status render_load(const render_input_settings *input, int threads, burn
 /* Whether a lobe or an equation other than the default was chosen. */
 int render_has_own_lobe(const render_shading_settings *shading);
 
-/* Makes area lights and environments take the exponent of a material that has a roughness. */
-void render_make_phong(burnish_material *material);
-
 /* Materials that no light would show. */
 typedef struct render_blacks {
     size_t lifted; /* reflect almost nothing: the studio makes them visible */

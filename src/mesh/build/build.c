@@ -78,7 +78,6 @@ static void describe_mesh(burnish_builder *b) {
     memcpy(b->mesh->inner_min, b->data->inner_min, sizeof b->mesh->inner_min);
     memcpy(b->mesh->inner_max, b->data->inner_max, sizeof b->mesh->inner_max);
     b->mesh->info.point_count = b->data->point_count;
-    b->mesh->info.thinning = b->data->thinning > 1 ? b->data->thinning : 1;
     b->mesh->info.line_count = b->data->line_count;
     b->mesh->info.layer_count = b->data->layer_count;
     b->mesh->has_beside = b->data->beside_count > 0;

@@ -55,7 +55,6 @@ typedef struct burnish_mesh_data {
     size_t triangle_count;
     size_t point_count; /* > 0: a point cloud, without triangles; a normal per position */
     float point_radius;
-    size_t thinning; /* > 1: a preview, of one in so many points or triangles; else all */
     float inner_min[3], inner_max[3];   /* of a point cloud: what is framed (read/common/cloud.h) */
     size_t line_count;                  /* drawn as triangles */
     size_t layer_count;                 /* burnish_mesh_info.layer_count */

@@ -9,8 +9,6 @@
 #include "mesh/read/common/textures.h"
 #include "mesh/read/common/triangulate.h"
 #include "mesh/read/io/parallel_text.h"
-#include "mesh/read/io/streaming.h"
-#include "mesh/read/io/thinning.h"
 
 enum { COUNT_MOST = 3, VALUES_MOST = 12, SAMPLE_ROWS = 4096 };
 
@@ -192,11 +190,7 @@ static void add_row(off_sample *sample, const double *values, const uint8_t *is_
 
 static off_sample take_sample(const off_state *off, const uint8_t *at) {
     const burnish_reader_input *input = off->reader->input;
-    const uint8_t *end = input->bytes + burnish_reader_head(off->reader);
-    while (input->streamed && end > at && end[-1] != '\n') { /* whole rows */
-        --end;
-    }
-    off_parser p = {off, NULL, {at, end, 0}};
+    off_parser p = {off, NULL, {at, input->bytes + input->size, 0}};
     off_sample sample = {.count = -1};
     double values[VALUES_MOST];
     uint8_t is_whole[VALUES_MOST];
@@ -478,29 +472,18 @@ static burnish_status settle_face_colors(off_state *off) {
 
 static burnish_status off_read(burnish_reader *reader) {
     off_state off = {.reader = reader};
-    burnish_lexer lexer = burnish_lexer_open(reader->input->bytes, burnish_reader_head(reader), 0);
-    if (reader->input->streamed && !burnish_must_stream(reader->input)) {
-        return burnish_stop_streaming(reader);
-    }
+    burnish_lexer lexer = burnish_lexer_open(reader->input->bytes, reader->input->size, 0);
     burnish_status status = read_head(&off, &lexer);
     const uint8_t *at = lexer.next;
     reader->is_wide = 1;
     off.keeps_texcoords = burnish_reader_keeps_coordinates(reader, 0);
     if (status == BURNISH_STATUS_OK) {
         settle_values(&off, at);
-        status = burnish_thinning_step(
-            reader, off.vertex_count > off.face_count ? off.vertex_count : off.face_count,
-            off.vertex_count, &reader->mesh->thinning);
-    }
-    const int is_preview = reader->mesh->thinning > 1;
-    if (status == BURNISH_STATUS_OK) {
         status = read_rows(&off, &at, off.vertex_count);
     }
     off.in_faces = 1;
-    if (status == BURNISH_STATUS_OK && !is_preview) {
+    if (status == BURNISH_STATUS_OK) {
         status = read_rows(&off, &at, off.face_count);
-    } else if (status == BURNISH_STATUS_OK) {
-        burnish_thinning_note(reader, off.vertex_count, "vertices");
     }
     burnish_reader_warn_group(reader, &off.few_corners);
     burnish_reader_warn_group(reader, &off.bad_colors);
@@ -530,4 +513,4 @@ static int off_recognise(const uint8_t *bytes, size_t size) {
 }
 
 const burnish_format_reader burnish_reader_off = {
-    .recognise = off_recognise, .read = off_read, .averages_normals = 1, .can_stream = 1};
+    .recognise = off_recognise, .read = off_read, .averages_normals = 1};

@@ -8,7 +8,6 @@
 #include <stdio.h>
 
 #include "mesh/read/common/local_origin.h"
-#include "mesh/read/common/points.h"
 #include "mesh/read/io/parallel_text.h"
 #include "mesh/read/io/streaming.h"
 
@@ -301,8 +300,7 @@ static burnish_status stl_read_text(burnish_reader *reader) {
     static const burnish_grammar grammar = {.find_start = stl_find_facet,
                                             .parse = stl_parse,
                                             .accept = stl_accept,
-                                            .indexed = 1u << BURNISH_POSITION,
-                                            .are_facets = 1};
+                                            .indexed = 1u << BURNISH_POSITION};
     const uint8_t *at =
         burnish_lexer_open(reader->input->bytes, burnish_reader_head(reader), 0).next;
     stl_state stl = {.reader = reader};
@@ -311,9 +309,7 @@ static burnish_status stl_read_text(burnish_reader *reader) {
     for (size_t i = 0; i < sizeof stl.groups / sizeof *stl.groups; ++i) {
         burnish_reader_warn_group(reader, &stl.groups[i]);
     }
-    return status == BURNISH_STATUS_OK && reader->mesh->thinning > 1
-               ? burnish_make_points(reader, NULL, 0)
-               : status;
+    return status;
 }
 
 /* ---- Both kinds ---- */

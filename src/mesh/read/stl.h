@@ -27,8 +27,7 @@ static inline int burnish_is_odd_coordinate(uint32_t bits) {
     return (bits & 0x7FFFFFFFu) != 0 && (exponent < LEAST || exponent > MOST);
 }
 
-/* Reads a binary file of at least a header: all facets, or a preview if they exceed the memory
- * limit. Errors: as burnish_read. */
+/* Reads a binary file of at least a header. Errors: as burnish_read. */
 burnish_status burnish_stl_read_binary(burnish_reader *reader);
 
 #endif

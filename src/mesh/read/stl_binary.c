@@ -13,10 +13,8 @@
 #include "core/srgb.h"
 #include "image/decode/decode.h"
 #include "mesh/read/common/local_origin.h"
-#include "mesh/read/common/points.h"
 #include "mesh/read/io/budget.h"
 #include "mesh/read/io/streaming.h"
-#include "mesh/read/io/thinning.h"
 
 enum {
     TITLE_SIZE = BURNISH_STL_TITLE_SIZE,
@@ -215,70 +213,13 @@ static burnish_status read_colors(burnish_reader *reader, facet_context *context
     return mesh->memory.status;
 }
 
-/* ---- Previews ---- */
-
-typedef struct preview_facets {
-    burnish_mesh_data *mesh;
-    size_t step;
-    atomic_int is_bad;
-} preview_facets;
-
-static void convert_to_points(void *user_data, const uint8_t *bytes, size_t first, size_t end) {
-    preview_facets *f = user_data;
-    for (size_t i = first; i < end; ++i, bytes += f->step * FACET_SIZE) {
-        float corners[9];
-        for (size_t k = 0; k < 9; ++k) {
-            const uint32_t bits = burnish_load32(bytes + NORMAL_SIZE + 4 * k);
-            memcpy(&corners[k], &bits, sizeof bits);
-            if (!burnish_is_finite_bits(bits)) {
-                atomic_store(&f->is_bad, 1);
-            }
-        }
-        burnish_thinning_facet(corners, burnish_positions(f->mesh) + 3 * i,
-                               burnish_normals(f->mesh) + 3 * i);
-    }
-}
-
-/* Reads one facet in `step` as a point: the middle and the normal of its triangle. Errors: FORMAT,
- * LIMIT, MEMORY, CANCELLED. */
-static burnish_status read_preview(burnish_reader *reader, size_t count, size_t step) {
-    burnish_mesh_data *mesh = reader->mesh;
-    const size_t kept = count / step;
-    preview_facets f = {.mesh = mesh, .step = step};
-    burnish_mesh_data_reserve(mesh, BURNISH_POSITION, kept);
-    if (burnish_mesh_data_reserve(mesh, BURNISH_NORMAL, kept) != BURNISH_STATUS_OK) {
-        return mesh->memory.status;
-    }
-    atomic_init(&f.is_bad, 0);
-    burnish_status status =
-        burnish_reader_rows(reader, HEADER_SIZE, step * FACET_SIZE, kept, convert_to_points, &f);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    if (atomic_load(&f.is_bad)) {
-        burnish_reader_note(reader, &reader->damage, NULL,
-                            "a coordinate is not finite; repair the file");
-    }
-    mesh->streams[BURNISH_POSITION].count = mesh->streams[BURNISH_NORMAL].count = kept;
-    burnish_move_positions(mesh);
-    mesh->thinning = step;
-    burnish_thinning_note(reader, count, "triangles");
-    return burnish_make_points(reader, NULL, 0);
-}
-
 /* ---- Reading ---- */
 
 burnish_status burnish_stl_read_binary(burnish_reader *reader) {
     burnish_mesh_data *mesh = reader->mesh;
-    size_t count = burnish_load32(reader->input->bytes + TITLE_SIZE), step = 1;
+    size_t count = burnish_load32(reader->input->bytes + TITLE_SIZE);
     reader->is_binary = 1;
     burnish_status status = check_count(reader, &count);
-    if (status == BURNISH_STATUS_OK) {
-        status = burnish_thinning_step(reader, count, count, &step);
-    }
-    if (status == BURNISH_STATUS_OK && step > 1) {
-        return read_preview(reader, count, step);
-    }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_mesh_data_reserve(mesh, BURNISH_POSITION, 3 * count);
     }

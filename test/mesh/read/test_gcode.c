@@ -150,6 +150,10 @@ static void test_reduction(void) {
     check_box(mesh, (double[]){0, 0, 0, 90, 90, 204.8}, 0.5, "fewer layers");
     check_only_warning(mesh, "a.gcode: 1 in 16 layers is drawn, as high as 16, since the path has "
                              "more pieces than are drawn");
+    options.max_triangles = BURNISH_TRIANGLES_MAX;
+    options.max_memory = (80 << 20) + size + (size_t)8 * 600 * 112;
+    OWNED_MESH *small = load_bytes(text, size, "a.gcode", &options);
+    CHECK1(same_meshes(small, mesh));
     options.max_triangles = 8;
     check_refused(
         text, size, "a.gcode", &options, BURNISH_STATUS_LIMIT,

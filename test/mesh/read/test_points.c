@@ -4,7 +4,6 @@
 #include "burnish/mesh.h"
 #include "mesh_arrays.h"
 #include "sheet.h"
-#include "used_bytes.h"
 
 static burnish_mesh *load(const char *name, const char *text, const burnish_load_options *options) {
     burnish_mesh *mesh = load_bytes(text, strlen(text), name, options);
@@ -130,160 +129,6 @@ static void test_strays(void) {
     }
 }
 
-enum { GRID = 160, VERTICES = GRID * GRID, BASE = 80 << 20, ROOM = 12000 * 112 };
-enum { WINDOW = 1 << 20 }; /* pieces of the file: a part of the base */
-
-/* A curved square of 50,562 triangles. */
-static const sheet square = {.side = GRID, .newline = "\n", .shape = SHEET_SMOOTH, .colors = 1};
-
-static void write_little_ply(file_bytes *file, const sheet *s) {
-    write_binary_ply(file, s, &(ply_layout){"uchar", "int", 1, 4, 0, 0});
-}
-
-static void write_untitled_stl(file_bytes *file, const sheet *s) {
-    write_binary_stl(file, s, "");
-}
-
-static FILE *make_file(void (*write)(file_bytes *file, const sheet *s)) {
-    FILE *file = tmpfile();
-    file_bytes bytes = {0};
-    write(&bytes, &square);
-    if (!file || fwrite(bytes.bytes, 1, bytes.size, file) != bytes.size) {
-        abort();
-    }
-    rewind(file);
-    free(bytes.bytes);
-    return file;
-}
-
-/* Whether a point is on the square, and its normal is upright. */
-static int is_on_square(const burnish_mesh_view *view, size_t i) {
-    const float *p = view->positions + 3 * i, *n = view->normals + 3 * i;
-    const double off = p[2] - p[0] * p[1] / 128;
-    return off < 1e-3 && off > -1e-3 && n[2] * n[2] > 0.2f;
-}
-
-/* Files of which all needs more memory than there is become points, in less memory. */
-static void test_preview(void) {
-    static const struct {
-        const char *name;
-        void (*write)(file_bytes *file, const sheet *s);
-        size_t count, thinning;
-        const char *what;
-    } cases[] = {{"a.obj", write_obj, VERTICES, 4, "vertices"},
-                 {"a.off", write_off, VERTICES, 3, "vertices"},
-                 {"a.ply", write_ply, VERTICES, 3, "vertices"},
-                 {"b.ply", write_little_ply, VERTICES, 3, "vertices"},
-                 {"a.stl", write_stl, 50562, 8, "triangles"},
-                 {"b.stl", write_untitled_stl, 50562, 5, "triangles"}};
-    for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
-        used_bytes used;
-        burnish_error error;
-        burnish_mesh *mesh = NULL;
-        burnish_load_options options = burnish_load_options_default();
-        FILE *file = make_file(cases[k].write);
-        options.threads = 1;
-        options.context = make_counted(&used);
-        options.max_memory = BASE + ROOM;
-        CHECK_OK(burnish_mesh_load_descriptor(fileno(file), cases[k].name, &options, &mesh, &error),
-                 error);
-        const burnish_mesh_view *view = mesh ? burnish_mesh_get_view(mesh) : NULL;
-        const size_t kept = cases[k].count / cases[k].thinning;
-        if (CHECK(view && burnish_mesh_get_info(mesh)->thinning == cases[k].thinning &&
-                      view->vertex_count - kept <= 1,
-                  "%s: 1 in %zu", cases[k].name,
-                  mesh ? burnish_mesh_get_info(mesh)->thinning : 0)) {
-            char text[200];
-            size_t wrong = 0;
-            for (size_t i = 0; i < view->vertex_count; ++i) {
-                wrong += !is_on_square(view, i);
-            }
-            CHECK(wrong == 0, "%s: %zu", cases[k].name, wrong);
-            CHECK1(cases[k].write != write_obj || view->colors[1] == 128);
-            snprintf(text, sizeof text,
-                     "%s: a preview: 1 in %zu of %zu %s is drawn, as a point, since all need more "
-                     "memory than max-memory",
-                     cases[k].name, cases[k].thinning, cases[k].count, cases[k].what);
-            CHECK_TEXT(burnish_mesh_get_warning(mesh, burnish_mesh_get_warning_count(mesh) - 1),
-                       text);
-        }
-        CHECK(atomic_load(&used.most) <= ROOM + WINDOW, "%s: %zu bytes", cases[k].name,
-              atomic_load(&used.most));
-        burnish_mesh_destroy(mesh);
-        options.max_memory = 50000000;
-        rewind(file);
-        CHECK1(burnish_mesh_load_descriptor(fileno(file), cases[k].name, &options, &mesh, &error) ==
-               BURNISH_STATUS_MEMORY);
-        const char *message = strstr(error.text, "max-memory:");
-        CHECK_TEXT(message ? message : error.text,
-                   "max-memory: 50 MB are too few for a preview; give at least 86 MB");
-        fclose(file);
-        burnish_context_destroy((burnish_context *)(uintptr_t)options.context);
-    }
-}
-
-/* The share of a text's rows does not depend on how much of it is read at once. */
-static void test_preview_threads(void) {
-    static void (*const writers[])(file_bytes * file, const sheet *s) = {write_obj, write_stl};
-    for (size_t k = 0; k < 2; ++k) {
-        size_t thinning[2] = {0}, counts[2] = {0};
-        FILE *file = make_file(writers[k]);
-        for (int i = 0; i < 2; ++i) {
-            burnish_load_options options = burnish_load_options_default();
-            burnish_error error;
-            burnish_mesh *mesh = NULL;
-            options.threads = i ? 8 : 1;
-            options.max_memory = BASE + ROOM;
-            rewind(file);
-            CHECK_OK(burnish_mesh_load_descriptor(fileno(file), k ? "a.stl" : "a.obj", &options,
-                                                  &mesh, &error),
-                     error);
-            thinning[i] = mesh ? burnish_mesh_get_info(mesh)->thinning : 0;
-            counts[i] = mesh ? burnish_mesh_get_view(mesh)->vertex_count : 0;
-            burnish_mesh_destroy(mesh);
-        }
-        CHECK(thinning[0] == thinning[1] && counts[0] == counts[1], "1 in %zu, 1 in %zu",
-              thinning[0], thinning[1]);
-        fclose(file);
-    }
-}
-
-/* Half of the points close together and half far apart, which takes the most memory: the share that
- * previews count on is enough. */
-static void test_uneven(void) {
-    enum { COUNT = 60000, SHARE = 112 };
-    used_bytes used;
-    burnish_error error;
-    burnish_mesh *mesh = NULL;
-    burnish_load_options options = burnish_load_options_default();
-    FILE *file = tmpfile();
-    options.threads = 1;
-    options.context = make_counted(&used);
-    if (!file || !options.context) {
-        abort();
-    }
-    fprintf(file,
-            "ply\nformat binary_little_endian 1.0\nelement vertex %d\nproperty float x\n"
-            "property float y\nproperty float z\nend_header\n",
-            COUNT);
-    uint32_t random = 1;
-    for (int i = 0; i < COUNT; ++i) {
-        float position[3];
-        for (int k = 0; k < 3; ++k) {
-            random = random * 1664525u + 1013904223u;
-            position[k] = (float)(random >> 8) * (i % 2 ? 0x1p-24f : k < 2 ? 0x1p-27f : 0);
-        }
-        fwrite(position, sizeof position, 1, file);
-    }
-    rewind(file);
-    CHECK_OK(burnish_mesh_load_descriptor(fileno(file), "a.ply", &options, &mesh, &error), error);
-    const size_t most = atomic_load(&used.most);
-    CHECK(most <= (size_t)COUNT * SHARE + WINDOW, "%zu bytes, %zu a point", most, most / COUNT);
-    burnish_mesh_destroy(mesh);
-    fclose(file);
-    burnish_context_destroy((burnish_context *)(uintptr_t)options.context);
-}
-
 /* Rods between vertices, by numbers from either end. */
 static void test_lines(void) {
     burnish_load_options options = burnish_load_options_default();
@@ -374,9 +219,6 @@ int main(int count, char **arguments) {
     RUN(test_density());
     RUN(test_outliers());
     RUN(test_strays());
-    RUN(test_preview());
-    RUN(test_preview_threads());
-    RUN(test_uneven());
     RUN(test_lines());
     RUN(test_limits());
     return test_end("points");

@@ -7,7 +7,6 @@
 #include "mesh/read/io/budget.h"
 #include "mesh/read/io/parallel_text.h"
 #include "mesh/read/io/streaming.h"
-#include "mesh/read/io/thinning.h"
 
 enum {
     HEAD = 1 << 16,                  /* bytes that are looked at to recognise the format */
@@ -216,7 +215,7 @@ static size_t find_room(const burnish_gcode *g) {
     const int is_given = g->reader->input->options->max_triangles < BURNISH_TRIANGLES_MAX;
     const uint64_t most = burnish_budget_triangles(g->reader);
     const uint64_t budget = is_given ? most : most / 2; /* of vertices, which are as many, too */
-    const uint64_t room = burnish_thinning_room(g->reader->input);
+    const uint64_t room = burnish_budget_room(g->reader->input);
     const uint64_t least = (budget < room ? budget : room) / BURNISH_GCODE_TRIANGLES;
     return least < BURNISH_GCODE_POINTS ? (size_t)least : BURNISH_GCODE_POINTS;
 }

@@ -16,6 +16,12 @@ burnish_status burnish_budget_check(burnish_reader *reader, uint64_t vertices, u
                                bytes < reader->input->size ? ", or unpack the file first" : "");
 }
 
+uint64_t burnish_budget_room(const burnish_reader_input *input) {
+    const uint64_t limit = input->options->max_memory,
+                   used = BURNISH_RUN_BYTES + (input->streamed ? 0 : (uint64_t)input->size);
+    return limit == 0 ? UINT64_MAX : limit < used ? 0 : (limit - used) / BURNISH_ELEMENT_BYTES;
+}
+
 uint64_t burnish_companion_key(const char *name) {
     uint64_t key = UINT64_C(0xCBF29CE484222325); /* FNV-1a */
     while (*name) {

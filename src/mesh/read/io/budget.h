@@ -22,6 +22,12 @@ enum {
     BURNISH_SUMS_PER_BYTE = 16    /* values of morph targets that are added up */
 };
 
+/* For burnish_load_options.max_memory. */
+enum {
+    BURNISH_RUN_BYTES = 80 << 20, /* the program, an image, depth maps, tile lists, light */
+    BURNISH_ELEMENT_BYTES = 112   /* a point, or a triangle with its vertices, at most */
+};
+
 /* The limit for `bytes` bytes. */
 static inline uint64_t burnish_budget_of(uint64_t bytes, uint64_t per_byte) {
     bytes = bytes > BURNISH_BUDGET_LEAST ? bytes : BURNISH_BUDGET_LEAST;
@@ -70,5 +76,8 @@ static inline uint64_t burnish_budget_crowded(const burnish_reader *reader) {
 /* Checks that vertices and triangles are within the budget. There is no budget if the caller sets
  * max_triangles. Errors: LIMIT, with its line. */
 burnish_status burnish_budget_check(burnish_reader *reader, uint64_t vertices, uint64_t triangles);
+
+/* How many points or triangles max_memory has room for; UINT64_MAX: no limit. */
+uint64_t burnish_budget_room(const burnish_reader_input *input);
 
 #endif

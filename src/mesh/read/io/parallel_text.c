@@ -3,7 +3,6 @@
 
 #include "mesh/read/io/budget.h"
 #include "mesh/read/io/streaming.h"
-#include "mesh/read/io/thinning.h"
 
 #include <string.h>
 
@@ -30,7 +29,6 @@ typedef struct chunk_driver {
     size_t rows_left, rows_done, bytes_done, wave_rows;
     forward_chunk *forward;
     size_t forward_count, forward_capacity;
-    burnish_thinning thinning;
 } chunk_driver;
 
 /* ---- Parsing ---- */
@@ -326,7 +324,7 @@ static burnish_status reserve_wave(chunk_driver *driver, size_t count,
                                    size_t triangles_before) {
     burnish_mesh_data *mesh = driver->reader->mesh;
     const uint64_t budget = burnish_budget_triangles(driver->reader), /* limits vertices as well */
-        room = burnish_thinning_room(driver->reader->input), most = budget < room ? budget : room;
+        room = burnish_budget_room(driver->reader->input), most = budget < room ? budget : room;
     const double bytes = (double)(driver->next - driver->chunks[0].first);
     double left = (double)bytes_left(driver) / (bytes > 0 ? bytes : 1);
     if (driver->wave_rows > 0 && (double)driver->rows_left < left * (double)driver->wave_rows) {
@@ -420,53 +418,6 @@ static void append_polygons(burnish_reader *reader, const burnish_chunk *chunk) 
     }
 }
 
-/* ---- Previews ---- */
-
-/* Rows of the mesh, of which `positions` and `triangles` are there. */
-static size_t count_rows(const chunk_driver *driver, size_t positions, size_t triangles) {
-    return driver->thinning.are_facets ? triangles : positions;
-}
-
-/* Begins a preview if there is no room for the mesh, of which the arrays hold `before` rows. */
-static burnish_status consider_preview(chunk_driver *driver, size_t before) {
-    burnish_reader *reader = driver->reader;
-    burnish_mesh_data *mesh = reader->mesh;
-    const size_t positions = mesh->streams[BURNISH_POSITION].count,
-                 triangles = mesh->triangle_count;
-    const size_t rows = count_rows(driver, positions, triangles);
-    size_t step;
-    burnish_status status =
-        driver->thinning.step > 0
-            ? BURNISH_STATUS_OK
-            : burnish_thinning_step(reader, triangles > rows ? triangles : rows, rows, &step);
-    if (status != BURNISH_STATUS_OK || driver->thinning.step > 0 || step == 1) {
-        return status;
-    }
-    driver->thinning.step = 2; /* doubled as rows come, however many a wave brings */
-    driver->thinning.most = (size_t)burnish_thinning_room(reader->input);
-    burnish_release(mesh->memory.context, reader->polygons);
-    reader->polygons = NULL;
-    reader->polygon_count = reader->polygon_capacity = 0;
-    return burnish_thinning_begin(&driver->thinning, mesh, before);
-}
-
-static void thin_task(void *user_data, size_t index, int thread) {
-    const chunk_driver *driver = user_data;
-    (void)thread;
-    burnish_thinning_append(&driver->thinning, driver->reader->mesh, &driver->chunks[index]);
-}
-
-static void end_preview(chunk_driver *driver, int was_begun) {
-    burnish_mesh_data *mesh = driver->reader->mesh;
-    const size_t rows =
-        count_rows(driver, mesh->streams[BURNISH_POSITION].count, mesh->triangle_count);
-    burnish_thinning_end(&driver->thinning, mesh, rows);
-    if (!was_begun) {
-        burnish_thinning_note(driver->reader, rows,
-                              driver->thinning.are_facets ? "triangles" : "vertices");
-    }
-}
-
 /* ---- The loop ---- */
 
 /* Reports progress to the context. A file that is read again never reports less than before. */
@@ -499,23 +450,14 @@ static burnish_status read_wave(chunk_driver *driver) {
         status = accept_chunk(driver, &driver->chunks[used], &more);
     }
     driver->wave_rows = driver->rows_done - driver->wave_rows;
-    const size_t rows_before = count_rows(driver, before[BURNISH_POSITION], triangles_before);
     if (status == BURNISH_STATUS_OK) {
-        status = consider_preview(driver, rows_before);
-    }
-    const int is_preview = driver->thinning.step > 0;
-    if (status == BURNISH_STATUS_OK) {
-        status = is_preview ? burnish_thinning_reserve(
-                                  &driver->thinning, mesh, driver->chunks, used, rows_before,
-                                  count_rows(driver, mesh->streams[BURNISH_POSITION].count,
-                                             mesh->triangle_count))
-                            : reserve_wave(driver, used, before, triangles_before);
+        status = reserve_wave(driver, used, before, triangles_before);
     }
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    burnish_tasks_run(mesh->tasks, used, 1, 0, is_preview ? thin_task : append_task, driver);
-    for (size_t i = 0; i < used && !is_preview; ++i) {
+    burnish_tasks_run(mesh->tasks, used, 1, 0, append_task, driver);
+    for (size_t i = 0; i < used; ++i) {
         append_polygons(driver->reader, &driver->chunks[i]);
     }
     tell_progress(driver);
@@ -584,12 +526,7 @@ burnish_status burnish_chunks_read(const burnish_grammar *grammar, void *state,
                            .next = *at,
                            .text_end = reader->input->bytes + reader->input->size,
                            .chunk_size = given ? given : BURNISH_CHUNK_SIZE,
-                           .rows_left = rows ? *rows : SIZE_MAX,
-                           .thinning = {.step = mesh->thinning > 1 ? mesh->thinning : 0,
-                                        .most = SIZE_MAX,
-                                        .are_facets = grammar->are_facets,
-                                        .indexed = grammar->indexed}};
-    const int was_begun = driver.thinning.step > 0;
+                           .rows_left = rows ? *rows : SIZE_MAX};
     if (reader->input->streamed && !grammar->find_start) {
         return burnish_stop_streaming(reader);
     }
@@ -613,9 +550,6 @@ burnish_status burnish_chunks_read(const burnish_grammar *grammar, void *state,
     }
     if (status == BURNISH_STATUS_OK) {
         status = check_forward(&driver);
-    }
-    if (status == BURNISH_STATUS_OK && driver.thinning.step > 0) {
-        end_preview(&driver, was_begun);
     }
     *at = reader->input->bytes + offset_of(&driver, driver.next);
     if (rows) {

@@ -26,7 +26,6 @@ typedef struct burnish_grammar {
     burnish_status (*accept)(void *state, const burnish_chunk *chunk);
     unsigned indexed; /* bits 1 << attribute: attributes with separate corners */
     unsigned lenient; /* attributes whose corners may refer to missing values */
-    int are_facets;   /* 1: each triangle has its own three positions, without corners */
 } burnish_grammar;
 
 /* A find_start for rows: after the next line end. */
@@ -35,8 +34,6 @@ const uint8_t *burnish_chunk_find_line(const uint8_t *from, const uint8_t *end);
 /* Appends what is read to reader->mesh.
  *
  * at:    where to begin; receives where reading ended
- * If there is no room for all, mesh->thinning is > 1 and the mesh is one of points: read/io/thinning.h
- *
  * rows:  how many rows to read, at most; receives how many are missing at the end of the file.
  *        NULL: the rest of the file, whatever it holds */
 burnish_status burnish_chunks_read(const burnish_grammar *grammar, void *state,

@@ -54,27 +54,25 @@ burnish_status burnish_reader_fail(burnish_reader *reader, burnish_status status
 void burnish_reader_warn(burnish_reader *reader, const uint8_t *at, const char *format, ...) {
     char line[LINE_SIZE];
     va_list arguments;
-    const int must_stream = burnish_must_stream(reader->input);
-    if (reader->input->streamed && !must_stream) {
+    if (reader->input->streamed) {
         reader->has_warned = 1;
         return;
     }
     va_start(arguments, format);
-    write_line(line, reader, must_stream ? NULL : at, format, arguments);
+    write_line(line, reader, at, format, arguments);
     va_end(arguments);
     burnish_mesh_data_warn(reader->mesh, "%s", line);
 }
 
 void burnish_reader_note(burnish_reader *reader, burnish_warning_group *group, const uint8_t *at,
                          const char *format, ...) {
-    const int must_stream = burnish_must_stream(reader->input);
-    if (reader->input->streamed && !must_stream) {
+    if (reader->input->streamed) {
         reader->has_warned = 1;
     } else if (group->count++ == 0) {
         char line[LINE_SIZE];
         va_list arguments;
         va_start(arguments, format);
-        write_line(line, reader, must_stream ? NULL : at, format, arguments);
+        write_line(line, reader, at, format, arguments);
         va_end(arguments);
         burnish_fail(&group->first, BURNISH_STATUS_OK, "%s", line);
     }

@@ -16,15 +16,7 @@ size_t burnish_reader_head(const burnish_reader *reader) {
 }
 
 burnish_status burnish_stop_streaming(burnish_reader *reader) {
-    return !burnish_must_stream(reader->input)
-               ? burnish_reader_fail(reader, BURNISH_STATUS_READ, NULL, "to be read whole")
-               : burnish_reader_fail(
-                     reader, BURNISH_STATUS_MEMORY, NULL,
-                     "a preview can't be read in pieces; repair the file, or raise max-memory to "
-                     "%llu MB",
-                     (unsigned long long)((2 * (uint64_t)reader->input->size + BURNISH_RUN_BYTES) /
-                                              1000000 +
-                                          1));
+    return burnish_reader_fail(reader, BURNISH_STATUS_READ, NULL, "to be read whole");
 }
 
 /* Returns 0 if the file has become shorter or can't be read. */

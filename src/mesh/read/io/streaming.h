@@ -19,18 +19,7 @@ typedef struct burnish_streaming {
 #define BURNISH_STREAMED_HEAD 65536
 #endif
 
-/* What a run takes without a mesh: the program, an image, depth maps, tile lists, light. */
-enum { BURNISH_RUN_BYTES = 80 << 20 };
-
-/* Whether an input must be streamed, as max_memory has no room for its bytes and its mesh. Its
- * messages have no line then. */
-static inline int burnish_must_stream(const burnish_reader_input *input) {
-    const uint64_t limit = input->streamed ? input->options->max_memory : 0;
-    return limit > 0 &&
-           (limit < BURNISH_RUN_BYTES || input->size > (limit - BURNISH_RUN_BYTES) / 2);
-}
-
-/* Fails a streamed input, which must then be read whole; MEMORY if that can't be. */
+/* Fails a streamed input, which must then be read whole. */
 burnish_status burnish_stop_streaming(burnish_reader *reader);
 
 /* How many of the input's bytes are in memory. */

@@ -145,9 +145,6 @@ static burnish_status obj_accept(void *state, const burnish_chunk *chunk) {
             note_other(obj, event, &lexer);
             continue;
         }
-        if (burnish_must_stream(obj->reader->input)) {
-            continue;
-        }
         if (obj->reader->input->streamed) { /* names refer to the input's bytes */
             return burnish_stop_streaming(obj->reader);
         }
@@ -235,7 +232,6 @@ static burnish_status make_points(obj_state *obj) {
                             missing, obj->segment_count);
     }
     settle_colors(obj);
-    count = obj->reader->mesh->thinning > 1 ? 0 : count;
     const burnish_status status = burnish_make_points(obj->reader, obj->segments, count);
     return status == BURNISH_STATUS_OK && count > 0 && count == obj->segment_count
                ? color_lines(obj, count)
@@ -297,10 +293,7 @@ static burnish_status obj_read(burnish_reader *reader) {
                      .with_texcoords = burnish_reader_keeps_coordinates(reader, has_library),
                      .materials = {.reader = reader, .changed = 1}};
     const uint8_t *at = burnish_lexer_open(reader->input->bytes, head, 1).next;
-    if (reader->input->streamed && has_library && burnish_must_stream(reader->input)) {
-        burnish_reader_warn(reader, NULL,
-                            "materials are not read, as max-memory has no room for them");
-    } else if (reader->input->streamed && has_library) {
+    if (reader->input->streamed && has_library) {
         return burnish_stop_streaming(reader);
     }
     reader->is_wide = 1;

@@ -11,7 +11,6 @@
 #include "mesh/read/io/budget.h"
 #include "mesh/read/io/parallel_text.h"
 #include "mesh/read/io/streaming.h"
-#include "mesh/read/io/thinning.h"
 #include "mesh/read/ply/ply_binary.h"
 #include "mesh/read/ply/ply_header.h"
 #include "mesh/read/ply/ply_rows.h"
@@ -32,8 +31,8 @@ static void note_bad_vertices(burnish_ply_state *ply, const burnish_ply_rows *ro
             burnish_reader_note(
                 ply->reader, &ply->reader->damage,
                 at + i * rows->row_size + rows->columns[BURNISH_PLY_X + axis].offset,
-                "vertex %zu: coordinate %c is not finite or beyond 3.4e38; repair the mesh",
-                i * mesh->thinning, 'x' + axis);
+                "vertex %zu: coordinate %c is not finite or beyond 3.4e38; repair the mesh", i,
+                'x' + axis);
         }
     }
 }
@@ -48,10 +47,7 @@ static burnish_status read_vertices(burnish_ply_state *ply, burnish_ply_rows *ro
         BURNISH_PLY_X, BURNISH_PLY_NX, BURNISH_PLY_RED,
         BURNISH_PLY_S, [BURNISH_SPLAT] = BURNISH_PLY_SCALE};
     burnish_mesh_data *mesh = ply->reader->mesh;
-    size_t count = (size_t)ply->element->count;
-    const size_t size = count * rows->row_size, step = mesh->thinning;
-    rows->row_size *= step;
-    count /= step;
+    const size_t count = (size_t)ply->element->count;
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         if (last_roles[i] > 0 && burnish_ply_has_roles(ply, first_roles[i], last_roles[i])) {
             if (burnish_mesh_data_reserve(mesh, (burnish_attribute)i, count) != BURNISH_STATUS_OK) {
@@ -67,7 +63,7 @@ static burnish_status read_vertices(burnish_ply_state *ply, burnish_ply_rows *ro
     if (status == BURNISH_STATUS_OK && odd < count && !ply->header.may_lack) {
         note_bad_vertices(ply, rows, *at, odd);
     }
-    *at += size;
+    *at += count * rows->row_size;
     return status == BURNISH_STATUS_OK && ply->reader->has_warned
                ? burnish_stop_streaming(ply->reader)
                : status;
@@ -216,7 +212,7 @@ static int may_be_triangles(const burnish_ply_element *element, const burnish_pl
 static int suits_streaming(burnish_ply_state *ply) {
     const burnish_reader_input *input = ply->reader->input;
     size_t offset = (size_t)(ply->header.body - input->bytes);
-    int suits = (ply->header.texture_count == 0 || ply->step > 1) && !ply->reader->has_warned &&
+    int suits = ply->header.texture_count == 0 && !ply->reader->has_warned &&
                 offset < input->streamed->head; /* all of the header */
     const int is_ascii = ply->header.encoding == BURNISH_PLY_ASCII;
     for (size_t i = 0; i < ply->header.element_count && suits && !is_ascii; ++i) {
@@ -232,42 +228,8 @@ static int suits_streaming(burnish_ply_state *ply) {
                 (lists == 0 || (lists == 1 && may_be_triangles(ply->element, &rows) &&
                                 begins_with_triangle(ply, &rows, offset)));
         offset += suits ? (size_t)count * rows.row_size : 0;
-        if (ply->step > 1 && ply->element->kind == BURNISH_PLY_ELEMENT_VERTEX) {
-            break; /* the rest is not read */
-        }
     }
     return suits;
-}
-
-/* About how many triangles the faces have; those of a binary file as if all had as many corners as
- * the first. */
-static uint64_t guess_triangles(burnish_ply_state *ply) {
-    const int is_ascii = ply->header.encoding == BURNISH_PLY_ASCII;
-    uint64_t triangles = 0, offset = (uint64_t)(ply->header.body - ply->reader->input->bytes);
-    for (size_t i = 0; i < ply->header.element_count; ++i) {
-        burnish_ply_rows rows = {.big_endian = ply->header.encoding == BURNISH_PLY_BIG_ENDIAN};
-        size_t least;
-        ply->element = &ply->header.elements[i];
-        const uint64_t count = ply->element->count;
-        const size_t lists = describe_rows(ply, &rows, &least);
-        if (ply->element->kind == BURNISH_PLY_ELEMENT_FACE) {
-            uint8_t buffer[8];
-            const uint64_t at = offset + rows.length.offset;
-            const uint8_t *length =
-                !is_ascii && lists == 1 && may_be_triangles(ply->element, &rows) &&
-                        at + sizeof buffer <= ply->reader->input->size
-                    ? burnish_reader_peek(ply->reader, (size_t)at, sizeof buffer, buffer)
-                    : NULL;
-            const uint32_t corners =
-                length ? burnish_ply_load_count(length, rows.length.type, rows.big_endian) : 3;
-            triangles += count * (corners > 3 && corners < 9 ? corners - 2 : 1);
-        }
-        if (lists > 0 || count > UINT32_MAX) {
-            return triangles;
-        }
-        offset += count * rows.row_size;
-    }
-    return triangles;
 }
 
 /* Reads or skips one element from *at on. */
@@ -320,7 +282,7 @@ static burnish_status read_element(burnish_ply_state *ply, const uint8_t **at) {
         *at += element->count * rows.row_size;
         return BURNISH_STATUS_OK;
     }
-    if (!is_ascii && lists == 1 && may_be_triangles(element, &rows) && ply->step == 1) {
+    if (!is_ascii && lists == 1 && may_be_triangles(element, &rows)) {
         return read_triangles(ply, &rows, at);
     }
     return burnish_ply_read_rows(ply, at, (size_t)element->count);
@@ -377,7 +339,6 @@ static burnish_status read_elements(burnish_ply_state *ply, size_t *left) {
     const uint8_t *at = ply->header.body,
                   *end = ply->reader->input->bytes + ply->reader->input->size;
     burnish_status status = BURNISH_STATUS_OK;
-    ply->reader->mesh->thinning = ply->step;
     ply->few_corners = ply->fields = (burnish_warning_group){0};
     ply->reader->damage = (burnish_warning_group){0};
     ply->reader->odd = ply->header_odd;
@@ -394,10 +355,6 @@ static burnish_status read_elements(burnish_ply_state *ply, size_t *left) {
             ply->is_odd = 1;
         }
         status = read_element(ply, &at);
-        if (ply->step > 1 && ply->element->kind == BURNISH_PLY_ELEMENT_VERTEX) {
-            *left = 0;
-            return status;
-        }
         if (status == BURNISH_STATUS_OK && ply->element->kind == BURNISH_PLY_ELEMENT_VERTEX &&
             ply->header.has_vertex_colors && ply->header.has_face_colors) {
             judge_colors(ply);
@@ -505,15 +462,9 @@ static burnish_status read_body(burnish_ply_state *ply) {
     ply->reader->is_binary = ply->header.encoding != BURNISH_PLY_ASCII;
     ply->is_odd = 0;
     size_t left;
-    const uint64_t triangles = guess_triangles(ply);
-    burnish_status status = burnish_thinning_step(
-        ply->reader, triangles > ply->vertex_count ? triangles : ply->vertex_count,
-        ply->vertex_count, &ply->step);
-    if (status == BURNISH_STATUS_OK) {
-        status = ply->reader->input->streamed && !suits_streaming(ply)
-                     ? burnish_stop_streaming(ply->reader)
-                     : read_elements(ply, &left);
-    }
+    burnish_status status = ply->reader->input->streamed && !suits_streaming(ply)
+                                ? burnish_stop_streaming(ply->reader)
+                                : read_elements(ply, &left);
     if (ply->reader->input->streamed && status == BURNISH_STATUS_OK && ply->is_odd) {
         return burnish_stop_streaming(ply->reader);
     }
@@ -522,15 +473,11 @@ static burnish_status read_body(burnish_ply_state *ply) {
                                              (left > 0 || ply->reader->damage.count > 0)))) {
         status = read_otherwise(ply, status, &left);
     }
-    const int is_preview = ply->reader->mesh->thinning > 1;
     if (header->is_open) {
         ply->vertex_count = ply->reader->mesh->streams[BURNISH_POSITION].count;
     }
-    if (status == BURNISH_STATUS_OK && ply->step > 1) {
-        burnish_thinning_note(ply->reader, ply->vertex_count, has_faces ? "vertices" : "points");
-    }
-    if (status == BURNISH_STATUS_OK && ply->reader->mesh->triangle_count == 0 &&
-        (is_preview || !has_faces) && ply->vertex_count > 0) {
+    if (status == BURNISH_STATUS_OK && ply->reader->mesh->triangle_count == 0 && !has_faces &&
+        ply->vertex_count > 0) {
         check_alpha(ply);
         const int has_splats = ply->reader->mesh->streams[BURNISH_SPLAT].count > 0;
         status = burnish_ply_tint_points(ply);

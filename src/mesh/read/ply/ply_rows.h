@@ -24,7 +24,6 @@ typedef struct burnish_ply_state {
     size_t run_start;           /* triangles from here on show run_texture */
     int run_texture;
     burnish_warning_group few_corners, fields, comments, header_odd;
-    size_t step;  /* > 1: a preview, one in so many vertices and no faces */
     int by_lines; /* rows are lines of an ASCII file, whatever they hold */
     int is_odd;   /* 1: a line does not hold a row */
     const burnish_reader_input *with_comments; /* the original input, if replaced by */
