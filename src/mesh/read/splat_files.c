@@ -1,23 +1,15 @@
 /* Files of Gaussian splats: .splat (K. Kwok's viewer) and .spz (Niantic,
- * github.com/nianticlabs/spz, versions 2 and 3, whose gzip is unpacked before). Of spherical
- * harmonics only the constant one is read. */
+ * github.com/nianticlabs/spz: versions 2 and 3, whose gzip is unpacked before, and version 4, arrays
+ * packed by zstd). Of spherical harmonics only the constant one is read. */
 #include "base/bytes.h"
 #include "mesh/read/common/points.h"
 #include "mesh/read/common/splats.h"
 
-enum { GRAIN = 1 << 12 };
+#if BURNISH_HAS_ZSTD
+#include <zstd.h>
+#endif
 
-static burnish_status reserve_splats(burnish_reader *reader, size_t count) {
-    burnish_mesh_data *mesh = reader->mesh;
-    const burnish_status status = burnish_check_points(reader, count, 0);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
-    }
-    burnish_mesh_data_reserve(mesh, BURNISH_POSITION, count);
-    burnish_mesh_data_reserve(mesh, BURNISH_SPLAT, count);
-    mesh->streams[BURNISH_POSITION].count = mesh->streams[BURNISH_SPLAT].count = count;
-    return mesh->memory.status;
-}
+enum { GRAIN = 1 << 12 };
 
 /* ---- .splat: position, scale, 4 bytes sRGB and opacity, 4 bytes of a quaternion ---- */
 
@@ -51,7 +43,7 @@ static burnish_status splat_read(burnish_reader *reader) {
                                    "%zu bytes are less than the 32 of a splat; export it again",
                                    reader->input->size);
     }
-    const burnish_status status = reserve_splats(reader, count);
+    const burnish_status status = burnish_reserve_splats(reader, count);
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
@@ -151,40 +143,102 @@ static int spz_recognise(const uint8_t *bytes, size_t size) {
     return size >= 4 && burnish_load32(bytes) == SPZ_MARK ? 2 : 0;
 }
 
+/* Where the arrays are in the bytes that begin with the positions. */
+static void place_arrays(spz_arrays *s, const uint8_t *bytes, size_t count) {
+    s->positions = bytes;
+    s->opacities = s->positions + 9 * count;
+    s->colors = s->opacities + count;
+    s->scales = s->colors + 3 * count;
+    s->rotations = s->scales + 3 * count;
+}
+
+static burnish_status convert_arrays(spz_arrays *s, const uint8_t *bytes, size_t count) {
+    const burnish_status status = burnish_reserve_splats(s->reader, count);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    place_arrays(s, bytes, count);
+    burnish_tasks_ranges(s->reader->mesh->tasks, count, GRAIN, spz_convert, s);
+    return burnish_make_splats(s->reader, 0);
+}
+
+#if BURNISH_HAS_ZSTD
+enum { STREAMS = 5, STREAM_ENTRY = 16 }; /* the harmonics are the sixth */
+
+/* Unpacks the arrays, of `each` bytes a splat, one after the other. */
+static burnish_status unpack_streams(burnish_reader *reader, size_t count, uint8_t *to) {
+    static const uint8_t each[STREAMS] = {9, 1, 3, 3, 4};
+    const uint8_t *bytes = reader->input->bytes, *end = bytes + reader->input->size;
+    const uint64_t table = burnish_load32(bytes + SPZ_HEAD), streams = bytes[15];
+    if (streams < STREAMS || table + streams * STREAM_ENTRY > reader->input->size) {
+        return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, bytes + 15,
+                                   "the table of %d arrays is not in the file; it is damaged",
+                                   bytes[15]);
+    }
+    const uint8_t *entry = bytes + table, *from = entry + streams * STREAM_ENTRY;
+    for (int i = 0; i < STREAMS; ++i, entry += STREAM_ENTRY) {
+        const uint64_t packed = burnish_load64(entry);
+        const size_t size = each[i] * count;
+        if (packed > (size_t)(end - from) || burnish_load64(entry + 8) != size ||
+            ZSTD_decompress(to, size, from, (size_t)packed) != size) {
+            return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, entry,
+                                       "array %d of the splats can't be unpacked; the file is "
+                                       "truncated or damaged",
+                                       i);
+        }
+        from += packed;
+        to += size;
+    }
+    return BURNISH_STATUS_OK;
+}
+
+static burnish_status read_packed(spz_arrays *s, size_t count) {
+    burnish_memory *memory = &s->reader->mesh->memory;
+    burnish_status status = burnish_check_points(s->reader, count, 0);
+    uint8_t *unpacked =
+        status == BURNISH_STATUS_OK ? burnish_allocate(memory, count, 20, "splats") : NULL;
+    if (unpacked) {
+        status = unpack_streams(s->reader, count, unpacked);
+    }
+    if (unpacked && status == BURNISH_STATUS_OK) {
+        status = convert_arrays(s, unpacked, count);
+    }
+    burnish_release(memory->context, unpacked);
+    return status == BURNISH_STATUS_OK ? memory->status : status;
+}
+#endif
+
 static burnish_status spz_read(burnish_reader *reader) {
     const uint8_t *bytes = reader->input->bytes;
-    spz_arrays s = {.reader = reader, .positions = bytes + SPZ_HEAD};
+    spz_arrays s = {.reader = reader};
     reader->is_binary = 1;
-    if (reader->input->size < SPZ_HEAD || !spz_recognise(bytes, reader->input->size)) {
+    if (reader->input->size < 2 * SPZ_HEAD || !spz_recognise(bytes, reader->input->size)) {
         return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, bytes,
                                    "no header of splats (NGSP); the file is damaged");
     }
     const uint32_t version = burnish_load32(bytes + 4);
     const size_t count = burnish_load32(bytes + 8), each = version == 3 ? 20 : 19;
-    if ((version != 2 && version != 3) || bytes[13] > FRACTION_MOST) {
-        return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, bytes + 4,
-                                   "SPZ of version %u with %d fractional bits is not read; export "
-                                   "version 2 or 3",
-                                   version, bytes[13]);
+    if (version < 2 || version > 3 + BURNISH_HAS_ZSTD || bytes[13] > FRACTION_MOST) {
+        return burnish_reader_fail(
+            reader, BURNISH_STATUS_FORMAT, bytes + 4,
+            "SPZ of version %u with %d fractional bits is not read%s; export "
+            "version 2 or 3",
+            version, bytes[13], version == 4 ? " without zstd, which this build lacks" : "");
     }
-    if (count == 0 || count > (reader->input->size - SPZ_HEAD) / each) {
+    s.unit = 1.0 / (1 << bytes[13]);
+    s.is_smallest = version >= 3;
+    if (count == 0 || (version < 4 && count > (reader->input->size - SPZ_HEAD) / each)) {
         return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, bytes + 8,
                                    "%zu splats are announced, but the file has room for %zu; it is "
                                    "empty, truncated or damaged",
                                    count, (reader->input->size - SPZ_HEAD) / each);
     }
-    const burnish_status status = reserve_splats(reader, count);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
+#if BURNISH_HAS_ZSTD
+    if (version == 4) {
+        return read_packed(&s, count);
     }
-    s.unit = 1.0 / (1 << bytes[13]);
-    s.is_smallest = version == 3;
-    s.opacities = s.positions + 9 * count;
-    s.colors = s.opacities + count;
-    s.scales = s.colors + 3 * count;
-    s.rotations = s.scales + 3 * count;
-    burnish_tasks_ranges(reader->mesh->tasks, count, GRAIN, spz_convert, &s);
-    return burnish_make_splats(reader, 0);
+#endif
+    return convert_arrays(&s, bytes + SPZ_HEAD, count);
 }
 
 const burnish_format_reader burnish_reader_spz = {.recognise = spz_recognise, .read = spz_read};

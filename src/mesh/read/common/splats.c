@@ -18,6 +18,18 @@ typedef struct maker {
     atomic_size_t bad, first_bad;
 } maker;
 
+burnish_status burnish_reserve_splats(burnish_reader *reader, size_t count) {
+    burnish_mesh_data *mesh = reader->mesh;
+    const burnish_status status = burnish_check_points(reader, count, 0);
+    if (status != BURNISH_STATUS_OK) {
+        return status;
+    }
+    burnish_mesh_data_reserve(mesh, BURNISH_POSITION, count);
+    burnish_mesh_data_reserve(mesh, BURNISH_SPLAT, count);
+    mesh->streams[BURNISH_POSITION].count = mesh->streams[BURNISH_SPLAT].count = count;
+    return mesh->memory.status;
+}
+
 static float limit(float x, float most) {
     return x < 0 ? 0 : x > most ? most : x;
 }

@@ -28,6 +28,9 @@ static inline float burnish_splat_odd(double value, int is_opacity) {
 
 burnish_splat burnish_splat_of(const burnish_splat_values *values);
 
+/* Makes room for positions and splats. Errors: LIMIT, MEMORY. */
+burnish_status burnish_reserve_splats(burnish_reader *reader, size_t count);
+
 /* Completes mesh data that has a splat for each position: a point cloud. Splats with a value that
  * is not finite are left out.
  *   is_trained  1: the stream's items begin with burnish_splat_values as training has them:

@@ -13,6 +13,7 @@
 #include "mesh/read/io/streaming.h"
 #include "mesh/read/ply/ply_binary.h"
 #include "mesh/read/ply/ply_header.h"
+#include "mesh/read/ply/ply_packed.h"
 #include "mesh/read/ply/ply_rows.h"
 
 /* ---- Binary rows of one size ---- */
@@ -541,7 +542,13 @@ burnish_status burnish_ply_read_described(burnish_reader *reader, burnish_ply_he
 
 static burnish_status ply_read(burnish_reader *reader) {
     burnish_ply_header header;
-    return burnish_ply_read_described(reader, &header, burnish_ply_read_header(reader, &header));
+    burnish_status status = burnish_ply_read_header(reader, &header);
+    if (status == BURNISH_STATUS_OK && burnish_ply_is_packed(&header)) {
+        status = burnish_ply_read_packed(reader, &header);
+        burnish_ply_destroy_header(reader->mesh->memory.context, &header);
+        return status;
+    }
+    return burnish_ply_read_described(reader, &header, status);
 }
 
 /* Certain by its first line. */

@@ -24,6 +24,7 @@ static burnish_ply_type type_of(burnish_token token) {
         burnish_ply_type type;
     } types[] = {{"char", BURNISH_PLY_INT8},      {"int8", BURNISH_PLY_INT8},
                  {"uchar", BURNISH_PLY_UINT8},    {"uint8", BURNISH_PLY_UINT8},
+                 {"bool", BURNISH_PLY_UINT8}, /* of PyntCloud */
                  {"short", BURNISH_PLY_INT16},    {"int16", BURNISH_PLY_INT16},
                  {"ushort", BURNISH_PLY_UINT16},  {"uint16", BURNISH_PLY_UINT16},
                  {"int", BURNISH_PLY_INT32},      {"int32", BURNISH_PLY_INT32},
