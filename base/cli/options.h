@@ -250,7 +250,7 @@ const char *cli_nearest(const char *typed, cli_name_at *name_at, const void *lis
 
 /* ARGUMENT with one line: where the name was typed, the unknown name, and the most similar name or
  * the command that lists all names.
- *   where  "plot", "--metrics"
+ *   where  "claims", "--metrics"
  *   kind   "figure" */
 burnish_status cli_fail_unknown(burnish_error *error, const char *where, const char *kind,
                                 const char *typed, cli_name_at *name_at, const void *list,

@@ -29,18 +29,12 @@ burnish_status cli_output_begin(cli_output *output, burnish_error *error) {
                           : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
 }
 
-burnish_status cli_output_close(cli_output *output, burnish_error *error) {
-    return cli_close_memory(output->stream, &output->text, &output->size) == 0
-               ? BURNISH_STATUS_OK
-               : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
-}
-
 burnish_status cli_output_end(cli_output *output, const char *path, burnish_status status,
                               burnish_error *error) {
-    burnish_error closing;
-    burnish_status closed =
-        cli_output_close(output, status == BURNISH_STATUS_OK ? error : &closing);
-    status = status == BURNISH_STATUS_OK ? closed : status;
+    if (cli_close_memory(output->stream, &output->text, &output->size) != 0 &&
+        status == BURNISH_STATUS_OK) {
+        status = cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
+    }
     if (status == BURNISH_STATUS_OK) {
         status = cli_file_write(path, output->text, output->size, error);
     }

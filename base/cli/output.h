@@ -31,9 +31,6 @@ typedef struct cli_output {
 /* Errors: MEMORY. */
 burnish_status cli_output_begin(cli_output *output, burnish_error *error);
 
-/* Ends the text. The caller frees it, also after an error. Errors: MEMORY. */
-burnish_status cli_output_close(cli_output *output, burnish_error *error);
-
 /* Writes the whole text to a file, "-" for standard output, and releases it. If `status` is not OK,
  * nothing is written and it is returned. Errors: MEMORY, WRITE. */
 burnish_status cli_output_end(cli_output *output, const char *path, burnish_status status,

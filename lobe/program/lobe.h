@@ -12,7 +12,6 @@ extern const cli_command lobe_claims_command;
 extern const cli_command lobe_boundary_command;
 extern const cli_command lobe_choose_command;
 extern const cli_command lobe_rough_command;
-extern const cli_command lobe_plot_command;
 
 #define CLI_RIGHT_ANGLE (CLI_PI / 2)
 

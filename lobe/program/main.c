@@ -3,8 +3,13 @@
 #include "program/lobe.h"
 
 static const cli_command *const commands[] = {
-    &lobe_table_command, &lobe_claims_command, &lobe_choose_command, &lobe_boundary_command,
-    &lobe_rough_command, &lobe_plot_command,   &cli_help_command,    NULL,
+    &lobe_table_command,
+    &lobe_claims_command,
+    &lobe_choose_command,
+    &lobe_boundary_command,
+    &lobe_rough_command,
+    &cli_help_command,
+    NULL,
 };
 
 static const cli_example examples[] = {
@@ -59,19 +64,12 @@ static const cli_section lobes = {
 
 static const cli_section environment = {
     .heading = "ENVIRONMENT",
-    .terms =
-        (const cli_term[]){
-            {"*BURNISH_FIGURES*",
-             "the gnuplot script of *plot*, instead of the installed figures.gp."},
-            {"*PATH*", "the folders of gnuplot, for *plot*."},
-            {NULL, NULL},
-        },
-    .closing = "The locale is ignored: the decimal separator is always a point.",
+    .text = "The locale is ignored: the decimal separator is always a point.",
 };
 
 static const cli_program program = {
     .name = "burnish-lobe",
-    .summary = "properties of specular lobes: numbers, claims, figures",
+    .summary = "properties of specular lobes: numbers, claims, memories",
     .usage = "burnish-lobe COMMAND [options]; \"burnish lobe\" runs the same",
     .advice = "\"burnish-lobe table\" or \"burnish-lobe --help\"",
     .man_date = "2026-11-28",

@@ -228,8 +228,6 @@ for flags in -r '--animation=a' '--tessellation=3'; do
 done
 gives 0 batch part.obj --title=a -d several -s 8 $memory
 check "title: $(cat "$err")" grep -qx 'burnish: warning: --title: no effect: only the page shows it; use --index' "$err"
-gives 0 lobe plot curves --bits=8 --format=csv -o -
-check "bits: $(cat "$err")" grep -q '^burnish: warning: --bits: no effect: ' "$err"
 rm -r several with.png without.png part.obj part.png
 expect 2 'burnish: --color-by: a drawing has no colours; use another --look, or omit the flag' :sphere --color-by=height --look=drawing
 nothing_left "useless flags"
@@ -269,7 +267,7 @@ for format in stl gltf glb obj off ply 3mf bms stl.gz step FBX; do
     for flags in 'part.obj --output=' 'part.obj --output-format=png --output=' 'part.obj --turntable=' 'part.obj --json=' \
         'part.obj --plane=depth:' 'info part.obj --json=' 'info part.obj --csv=' 'compare :sphere :torus --output=' \
         'compare :sphere :torus --json=' 'batch part.obj --sheet=' 'batch part.obj --report=' 'lobe table --output=' \
-        'lobe plot --format=svg curves --output=' 'lobe table -o '; do
+        'lobe table -o '; do
         gives 2 ${flags}keep.$format
     done
     check "keep.$format stays" cmp part.obj "keep.$format"

@@ -1,6 +1,7 @@
 #!/bin/sh
 # burnish lobe: every example of the help runs, numbers against closed forms, formats, claims, usage.
 # usage: cli_lobe.sh BURNISH SCRATCH
+docs=$(realpath "$(dirname "$0")/../../docs")
 . "$(dirname "$0")/../../../base/test/lib.sh"
 
 # near VALUE AWK-EXPRESSION TOLERANCE: absolute, 1 for the unit. The expression may use pi and acos.
@@ -192,6 +193,34 @@ number albedo power phong_albedo 1 1e-12
 number albedo power blinn_albedo "28 / (8 * pi) * 0.952039" 1e-5
 number albedo energy:2 blinn_albedo "28 / (8 * pi) * 0.99738915" 1e-8
 expect 2 'burnish: --roughness: "0" is not a number from 0.001 to 1' rough --roughness=0.5,0
+
+# ---- The pages ----
+
+# says LOBE N METRIC VALUE DIGITS [RANGE]: with that many digits after the point, also in theory.md.
+says() {
+    run table --lobes="$1" --exponents="$2" --metrics="$3" --range="${6:-all}" --format=csv
+    check "$3 of $1 at n = $2 is not $4" awk -F, -v said="$4" -v digits="$5" \
+        'NR == 2 { exit !(sprintf("%." digits "f", $3) == sprintf("%." digits "f", said)) }' "$out"
+    check "theory.md doesn't say $4" grep -qF "${4#0}" "$docs/theory.md"
+}
+says taylor:2 100 zero-angle 11 0
+says energy:2 10 zero-angle 43 0
+says schlick 100 angle:8 73.6 1
+says power 100 angle:8 18.9 1
+says taylor:2 100 angle:8 11.1 1
+says taylor:2 100 curvature-radius 0.005 3
+says power 10 radius:36.86989765 0.49 2
+says power 100 radius:11.47834095 0.58 2
+says power 1000 radius:3.62430750 1.57 2
+says shift7 1000 max-relative 1.9 1 inflection
+
+# Their commands run.
+cat "$docs"/*.md | grep -o '`burnish-lobe [a-z]* [^`]*`' | tr -d '`' >"$out.commands"
+check "hardly any commands in lobe/docs" [ "$(wc -l <"$out.commands")" -ge 8 ]
+while read -r program arguments; do
+    case $arguments in *[A-Z]*) continue ;; esac
+    gives 0 $arguments
+done <"$out.commands"
 
 # ---- Usage ----
 
