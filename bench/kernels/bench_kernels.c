@@ -233,7 +233,7 @@ static void time_shading(const burnish_kernels *kernels, const char *title, int 
 }
 
 /* Lights of half a side or radius 0.4 at a distance of 1 to 2, with the lobes of GGX's alpha 0.3
- * (burnish-lobe rough --roughness=0.5477). */
+ * (burnish-lobe choose --roughness=0.5477 --epsilon=0.02). */
 static void time_area_lights(const burnish_kernels *kernels, const char *title, int is_diffuse) {
     static const char *const labels[] = {"a rectangle", "a disc, 16 corners", "a sphere", "a line"};
     static const burnish_kernels_lobe lobes[] = {{.order = 4, .zeta = 3.43255f, .weight = 0.2605f},

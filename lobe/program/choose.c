@@ -24,8 +24,11 @@ static const cli_flag choose_flags[] = {
     {CLI_FLAG("roughness", "R", "a rough surface instead of cos^n, 0.001 to 1", cli_flag_real,
               roughness),
      CLI_RANGE(1e-3, 1),
-     .manual = "Instead of a lobe for cos^n, the sum of the fewest lobes for a rough surface: see "
-               "*burnish-lobe rough*. *--epsilon* then limits the energy in the wrong direction."},
+     .manual =
+         "Instead of a lobe for cos^n, the sum of the fewest lobes for a rough surface at normal "
+         "incidence, around the mirror direction. *--epsilon* then limits the energy in the wrong "
+         "direction, *moved*; "
+         "*cap* is the largest error of the light from a round light there."},
     {CLI_FLAG("distribution", "NAME", "distribution of normals, with --roughness", cli_flag_word,
               distribution),
      .default_text = "ggx", .words = lobe_distribution_words,

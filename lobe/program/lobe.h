@@ -11,7 +11,6 @@ extern const cli_command lobe_table_command;
 extern const cli_command lobe_claims_command;
 extern const cli_command lobe_boundary_command;
 extern const cli_command lobe_choose_command;
-extern const cli_command lobe_rough_command;
 
 #define CLI_RIGHT_ANGLE (CLI_PI / 2)
 

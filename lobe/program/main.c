@@ -3,13 +3,8 @@
 #include "program/lobe.h"
 
 static const cli_command *const commands[] = {
-    &lobe_table_command,
-    &lobe_claims_command,
-    &lobe_choose_command,
-    &lobe_boundary_command,
-    &lobe_rough_command,
-    &cli_help_command,
-    NULL,
+    &lobe_table_command,    &lobe_claims_command, &lobe_choose_command,
+    &lobe_boundary_command, &cli_help_command,    NULL,
 };
 
 static const cli_example examples[] = {
@@ -18,7 +13,7 @@ static const cli_example examples[] = {
     {"burnish-lobe claims core-w", "a claim of the paper"},
     {"burnish-lobe choose --exponent=100 --epsilon=0.02", "the cheapest sufficient lobe"},
     {"burnish-lobe boundary --exponents=1-255 --as=mem -o boundary.mem", "a memory for Verilog"},
-    {"burnish-lobe rough --roughness=0.3,0.6", "sums of lobes for GGX"},
+    {"burnish-lobe choose --roughness=0.4 --epsilon=0.05", "a sum of lobes for GGX"},
     {NULL, NULL},
 };
 

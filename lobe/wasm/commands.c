@@ -75,7 +75,7 @@ static burnish_status run(const char *words, int count, burnish_error *error) {
     return status;
 }
 
-/* Runs a command of `burnish lobe`, except rough.
+/* Runs a command of `burnish lobe`, except help.
  *   arguments  count texts, each with its zero: "table", "--lobes=energy:2" ...
  * Returns its output, valid until the next call, or NULL after an error. */
 const char *run_lobe(const char *arguments, int count) {

@@ -6,7 +6,7 @@
 # fits FILE: at most 42 lines of at most 100 columns, no blanks at the ends of lines.
 fits() { awk 'length($0) > 100 || / $/ { bad = 1 } END { exit bad || NR > 42 || NR < 5 }' "$1"; }
 
-lobe="table claims choose boundary rough"
+lobe="table claims choose boundary"
 screens="--help;-h;help;--help=render;--help=lobe;render --help;render -h;help render;info --help;help info;batch --help;help batch;serve-stdio --help;help serve-stdio;compare --help;compare -h;help compare;help --help;lobe --help;lobe -h;help lobe"
 for part in $lobe; do
     screens="$screens;lobe $part --help;help lobe $part"
