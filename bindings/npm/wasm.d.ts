@@ -121,6 +121,40 @@ export interface Comparison {
   silhouetteIou: number;
 }
 
+/** A part of a mesh: an object of the file, or one of its volumes, at one of its places. Only solids are drawn. */
+export interface Part {
+  name: string;
+  role: "solid" | "negative volume" | "modifier" | "support blocker" | "support enforcer" | "support" | "not printed";
+  /** Of the object in the file. */
+  id: number;
+  /** Of the file, that placed it: negative volumes are subtracted from solids of the same item. */
+  item: number;
+  plate: number | null;
+  /** The number of its filament, from 1. */
+  filament: number | null;
+  triangles: number;
+  /** Of what is drawn, along X, Y and Z. */
+  size: number[] | null;
+  /** The matrix from the object to the file's coordinates: three rows of four. */
+  transform: number[];
+}
+
+/** A plate of a slicer's project. */
+export interface Plate {
+  number: number;
+  name: string;
+  /** Of what is drawn of it. */
+  size: number[] | null;
+}
+
+/** A filament of a slicer's project or of G-code. */
+export interface Filament {
+  /** "#FF8000" */
+  color: string;
+  /** That G-code uses, in millimetres; 0 if unknown. */
+  length: number;
+}
+
 /** A mesh in memory, for several pictures. */
 export interface Mesh {
   readonly triangles: number;
@@ -128,6 +162,10 @@ export interface Mesh {
   readonly boundingBox: { min: number[]; max: number[] };
   /** The up axis: "+Y". */
   readonly up: string;
+  /** Empty for formats without parts. */
+  readonly parts: Part[];
+  readonly plates: Plate[];
+  readonly filaments: Filament[];
   /** With the option `measure`; null for a file of points or lines. */
   readonly facts?: Facts | null;
   render(options?: DrawOptions): Picture;

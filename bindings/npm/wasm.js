@@ -190,6 +190,7 @@ class Burnish {
     }
     return new Mesh(session, {
       draw: (at, drawn) => this.#draw(at, drawn),
+      contents: (at) => this.#contents(at),
       close: (at) => e.session_destroy(at),
     }, { ...this.#size(session), facts: options.measure ? this.#facts(session) : undefined });
   }
@@ -200,6 +201,14 @@ class Burnish {
     return {
       triangles: numbers[6], vertices: numbers[7], boundingBox: { min: numbers.slice(8, 11), max: numbers.slice(11, 14) }, up: UPS[numbers[14]],
     };
+  }
+
+  // Parts, plates and filaments of an open session.
+  #contents(session) {
+    const at = this.#exports.session_contents(session);
+    const { filament_lengths: lengths, ...contents } = JSON.parse(at === 0 ? "{}" : this.#memory.text(at));
+    this.#exports.release(at);
+    return { ...contents, filaments: contents.filaments?.map((color, i) => ({ color, length: lengths[i] })) };
   }
 
   // The facts of an open session; null for points and lines.
@@ -336,6 +345,7 @@ const forgotten = typeof FinalizationRegistry === "function" ? new FinalizationR
 class Mesh {
   #session;
   #module;
+  #contents;
 
   /** `what` has triangles, vertices, boundingBox, up, and facts with the option `measure`. */
   constructor(session, module, what) {
@@ -345,11 +355,32 @@ class Mesh {
     forgotten?.register(this, { session, module }, this);
   }
 
-  render(options = {}) {
+  #open() {
     if (this.#session === 0) {
       throw new BurnishError("mesh: it is closed; open it again", "ARGUMENT");
     }
-    return this.#module.draw(this.#session, options);
+    return this.#session;
+  }
+
+  // They are read at the first use: a file can have many.
+  get #list() {
+    return (this.#contents ??= this.#module.contents(this.#open()));
+  }
+
+  get parts() {
+    return this.#list.parts;
+  }
+
+  get plates() {
+    return this.#list.plates;
+  }
+
+  get filaments() {
+    return this.#list.filaments;
+  }
+
+  render(options = {}) {
+    return this.#module.draw(this.#open(), options);
   }
 
   close() {

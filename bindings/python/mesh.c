@@ -366,7 +366,7 @@ static PyObject *get_warnings(PyObject *object, void *unused) {
     return lines;
 }
 
-enum { VERTICES, FACES, NORMALS, COLORS };
+enum { VERTICES, FACES, NORMALS, COLORS, FACE_PARTS };
 
 /* An array of the mesh, of which the closure is the number. */
 static PyObject *get_array(PyObject *object, void *number) {
@@ -377,12 +377,22 @@ static PyObject *get_array(PyObject *object, void *number) {
         [FACES] = {view->indices, "I", 4, 2, {(Py_ssize_t)view->triangle_count, 3}},
         [NORMALS] = {view->normals, "f", sizeof(float), 2, {vertices, 3}},
         [COLORS] = {view->colors, "B", 1, 2, {vertices, 4}},
+        [FACE_PARTS] = {view->triangle_parts, "H", 2, 1, {(Py_ssize_t)view->triangle_count}},
     };
     const array_layout *array = &arrays[(intptr_t)number];
     if (!array->items) {
         Py_RETURN_NONE;
     }
     return array_memoryview(module_state_of(Py_TYPE(object)), object, array);
+}
+
+/* JSON. */
+static PyObject *get_contents(PyObject *object, PyObject *unused) {
+    (void)unused;
+    char *text = session_contents(((mesh_object *)object)->session);
+    PyObject *contents = text ? PyUnicode_FromString(text) : PyErr_NoMemory();
+    free(text);
+    return contents;
 }
 
 static PyObject *get_origin(PyObject *object, void *unused) {
@@ -411,6 +421,9 @@ static PyGetSetDef properties[] = {
     {"colors", get_array, NULL,
      "A memoryview (N, 4) of uint8, read-only: sRGB and alpha, one per vertex; or None.",
      (void *)COLORS},
+    {"face_parts", get_array, NULL,
+     "A memoryview (M,) of uint16, read-only: the number in parts of each face's part; or None.",
+     (void *)FACE_PARTS},
     {"bounds", get_bounds, NULL, "The least and the largest coordinates.", NULL},
     {"origin", get_origin, NULL,
      "To be added to vertices: (0, 0, 0), except for files whose objects are far away from it.",
@@ -421,6 +434,7 @@ static PyGetSetDef properties[] = {
 
 static PyMethodDef methods[] = {
     {"_draw", draw, METH_VARARGS, NULL},
+    {"_contents", get_contents, METH_NOARGS, NULL},
     {0},
 };
 

@@ -23,6 +23,7 @@ WASM_EXPORT(session_rgba) void open_rgba(const session *s, uint8_t *to);
 WASM_EXPORT(session_number) double open_number(const session *s, int which);
 WASM_EXPORT(session_warning) const char *open_warning(const session *s, size_t index);
 WASM_EXPORT(session_camera) const burnish_camera *open_camera(const session *s);
+WASM_EXPORT(session_contents) char *open_contents(const session *s);
 WASM_EXPORT(format_extensions) const char *format_extensions(int index);
 
 session *open_create(void) {
@@ -73,6 +74,11 @@ const char *flag_row(size_t index) {
                               : "=",
              flag->also ? flag->also : "", words);
     return row;
+}
+
+/* JSON, to be released; NULL: out of memory. */
+char *open_contents(const session *s) {
+    return session_contents(s);
 }
 
 /* Line number `index`, NULL past the last. */

@@ -161,6 +161,7 @@ static const cli_term report_terms[] = {
     {"*unit*", "of lengths, if the input states it"},
     {"*volume, area, closed, solid, open_edges, shells*",
      "with *--facts*, as *burnish info --json* has them; missing for points and lines"},
+    {"*plates, filaments*", "of a print project, as *burnish info --json* has them, at most 64"},
     {"*width, height, blank, warnings*", "as *burnish render --json* has them"},
     {"*files, files_hash*", "files that the input names; XXH64 over names and bytes"},
     {"*code, error*", "of a failed input: exit code and message of *burnish render*"},

@@ -49,6 +49,8 @@ static const char head[] =
     "h2{font-size:15px;font-weight:600;margin:0;padding:12px 14px 0;overflow-wrap:anywhere}\n"
     "p{margin:0;padding:2px 14px 12px;color:var(--soft);font-size:13px;"
     "font-variant-numeric:tabular-nums}\n"
+    "i{display:inline-block;width:12px;height:12px;border-radius:3px;margin-right:3px;"
+    "border:1px solid var(--line)}\n"
     ".warning{padding-top:0;margin-top:-8px}\n"
     ".bad{color:var(--bad);font-weight:600}\n"
     "section{max-width:1800px;margin:auto;padding:0 20px 28px}\n"
@@ -161,9 +163,41 @@ static void put_measured(FILE *page, const cJSON *line, const batch_unit *unit) 
     fprintf(page, " &middot; %.4g %s&sup2;", batch_number(line, "area") * scale * scale, symbol);
 }
 
-static void put_facts(FILE *page, const batch *b, const cJSON *line) {
-    const cJSON *size = cJSON_GetObjectItemCaseSensitive(line, "size"), *side;
+static void put_size(FILE *page, const cJSON *size, const batch_unit *unit) {
     const char *separator = "";
+    const cJSON *side;
+    cJSON_ArrayForEach(side, size) {
+        fprintf(page, "%s%.4g", separator, cJSON_IsNumber(side) ? side->valuedouble : 0);
+        separator = " &times; ";
+    }
+    fprintf(page, " %s", unit->symbol);
+}
+
+/* The colours of filaments, and a line per plate that has something. */
+static void put_contents(FILE *page, const cJSON *line, const batch_unit *unit) {
+    const cJSON *filament, *plate;
+    const char *separator = "<br>";
+    cJSON_ArrayForEach(filament, cJSON_GetObjectItemCaseSensitive(line, "filaments")) {
+        const char *color = cJSON_IsString(filament) ? filament->valuestring : "";
+        if (strspn(color, "#0123456789ABCDEF") == 7) {
+            fprintf(page, "%s<i title=\"%.7s\" style=\"background:%.7s\"></i>", separator, color,
+                    color);
+            separator = "";
+        }
+    }
+    cJSON_ArrayForEach(plate, cJSON_GetObjectItemCaseSensitive(line, "plates")) {
+        const cJSON *size = cJSON_GetObjectItemCaseSensitive(plate, "size");
+        if (cJSON_IsArray(size)) {
+            fprintf(page, "<br>Plate %.0f%s", batch_number(plate, "number"),
+                    *batch_text(plate, "name") ? ", " : "");
+            put_text(page, batch_text(plate, "name"));
+            fputs(": ", page);
+            put_size(page, size, unit);
+        }
+    }
+}
+
+static void put_facts(FILE *page, const batch *b, const cJSON *line) {
     const double triangles = batch_number(line, "triangles");
     fputs("<p>", page);
     put_count(page, triangles);
@@ -174,12 +208,9 @@ static void put_facts(FILE *page, const batch *b, const cJSON *line) {
     }
     fputs("<br>", page);
     const batch_unit *unit = unit_of(b, line);
-    cJSON_ArrayForEach(side, size) {
-        fprintf(page, "%s%.4g", separator, cJSON_IsNumber(side) ? side->valuedouble : 0);
-        separator = " &times; ";
-    }
-    fprintf(page, " %s", unit->symbol);
+    put_size(page, cJSON_GetObjectItemCaseSensitive(line, "size"), unit);
     put_measured(page, line, unit);
+    put_contents(page, line, unit);
     fputs("</p>\n", page);
     const cJSON *warnings = cJSON_GetObjectItemCaseSensitive(line, "warnings");
     if (cJSON_GetArraySize(warnings) > 0) {

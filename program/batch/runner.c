@@ -26,6 +26,7 @@
 #include "base/cli/process.h"
 #include "base/clock.h"
 #include "base/inputs.h"
+#include "cli/contents.h"
 #include "cli/limits.h"
 #include "cli/main.h"
 #include "import/importers.h"
@@ -34,7 +35,7 @@
 #include "sandbox/channel.h"
 #include "sandbox/process.h"
 
-enum { WARNINGS_MAX = 8, WARNING_BYTES = 240, FILES_MAX = 64 };
+enum { WARNINGS_MAX = 8, WARNING_BYTES = 240, FILES_MAX = 64, PLATES_MAX = 64, FILAMENTS_MAX = 64 };
 
 /* A worker's results, in memory that it shares with its runner. The runner does not trust them and
  * checks them before use. */
@@ -46,7 +47,13 @@ typedef struct facts {
     uint64_t open_edges, shells;
     int32_t is_measured, is_closed, is_solid;
     int32_t is_drawn, format, width, height, is_blank;
-    uint32_t warning_count, unmet;
+    uint32_t warning_count, unmet, plate_count, filament_count;
+    struct {
+        int32_t number, is_used;
+        char name[BURNISH_NAME_SIZE];
+        float size[3];
+    } plates[PLATES_MAX];
+    uint8_t filaments[FILAMENTS_MAX][3];
     char warnings[WARNINGS_MAX][WARNING_BYTES];
     char message[480];
 } facts;
@@ -164,6 +171,24 @@ static int is_unchanged(const batch *b, const batch_item *item, const struct bat
 
 /* ---- The worker ---- */
 
+/* The first of the plates and filaments of a print project. */
+static void record_contents(facts *f, const burnish_mesh *mesh) {
+    const burnish_contents *c = burnish_mesh_get_contents(mesh);
+    burnish_box *boxes = c->plate_count > 0 ? cli_bound_parts(mesh) : NULL;
+    for (size_t i = 0; i < c->plate_count && i < PLATES_MAX && boxes; ++i) {
+        const burnish_box box = cli_bound_plate(mesh, boxes, c->plates[i].number);
+        f->plates[i].number = c->plates[i].number;
+        f->plates[i].is_used = cli_box_size(&box, f->plates[i].size);
+        memcpy(f->plates[i].name, c->plates[i].name, BURNISH_NAME_SIZE);
+        f->plate_count = (uint32_t)i + 1;
+    }
+    free(boxes);
+    for (size_t i = 0; i < c->filament_count && i < FILAMENTS_MAX; ++i) {
+        memcpy(f->filaments[i], c->filaments[i].srgb, 3);
+        f->filament_count = (uint32_t)i + 1;
+    }
+}
+
 static void record_result(void *context, const render_result *result) {
     facts *f = context;
     const burnish_mesh_info *info = burnish_mesh_get_info(result->mesh);
@@ -195,6 +220,7 @@ static void record_result(void *context, const render_result *result) {
         snprintf(f->warnings[i], WARNING_BYTES, "%s", result->warnings.lines[i]);
         f->warning_count = (uint32_t)i + 1;
     }
+    record_contents(f, result->mesh);
     f->unmet = result->unmet;
     f->is_drawn = 1;
 }
@@ -299,6 +325,39 @@ static void add_warnings(cJSON *object, facts *f, int *failed) {
     cli_json_add(object, "warnings", array, failed);
 }
 
+static void add_contents(cJSON *object, facts *f, int *failed) {
+    cJSON *plates = cJSON_CreateArray(), *filaments = cJSON_CreateArray();
+    for (uint32_t i = 0; i < f->plate_count && i < PLATES_MAX; ++i) {
+        cJSON *row = cJSON_CreateObject();
+        char *name = f->plates[i].name;
+        name[BURNISH_NAME_SIZE - 1] = 0;
+        cli_clean(name);
+        cli_json_add(row, "number", cJSON_CreateNumber(f->plates[i].number), failed);
+        cli_json_add(row, "name", cli_json_text(name), failed);
+        cli_json_add(row, "size",
+                     f->plates[i].is_used ? cli_json_floats(3, f->plates[i].size)
+                                          : cJSON_CreateNull(),
+                     failed);
+        cli_json_add(plates, NULL, row, failed);
+    }
+    for (uint32_t i = 0; i < f->filament_count && i < FILAMENTS_MAX; ++i) {
+        const uint8_t *srgb = f->filaments[i];
+        char text[8];
+        snprintf(text, sizeof text, "#%02X%02X%02X", srgb[0], srgb[1], srgb[2]);
+        cli_json_add(filaments, NULL, cJSON_CreateString(text), failed);
+    }
+    if (f->plate_count > 0) {
+        cli_json_add(object, "plates", plates, failed);
+    } else {
+        cJSON_Delete(plates);
+    }
+    if (f->filament_count > 0) {
+        cli_json_add(object, "filaments", filaments, failed);
+    } else {
+        cJSON_Delete(filaments);
+    }
+}
+
 /* Results of measuring, if any. */
 static void add_facts(const batch *b, cJSON *object, facts *f, int *failed) {
     f->unit[sizeof f->unit - 1] = 0;
@@ -397,6 +456,7 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
     cli_json_add(object, "vertices", cli_json_count((size_t)f->vertices), &failed);
     cli_json_add(object, "size", cli_json_floats(3, f->size), &failed);
     add_facts(b, object, f, &failed);
+    add_contents(object, f, &failed);
     cli_json_add(object, "width", cJSON_CreateNumber(f->width), &failed);
     cli_json_add(object, "height", cJSON_CreateNumber(f->height), &failed);
     cli_json_add(object, "blank", cJSON_CreateBool(f->is_blank != 0), &failed);

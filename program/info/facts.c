@@ -7,6 +7,7 @@
 
 #include "base/cli/output.h"
 #include "base/cli/values.h"
+#include "cli/contents.h"
 #include "cli/coordinates.h"
 #include "import/importers.h"
 
@@ -46,90 +47,20 @@ static cJSON *warning_at(const void *mesh, size_t i) {
 
 /* ---- Contents ---- */
 
-/* The box of the parts that are drawn, of one plate or, for number 0, of part `only`. */
-static int bound_contents(const info_report *r, int plate, size_t only, burnish_box *box) {
-    const burnish_contents *c = burnish_mesh_get_contents(r->mesh);
-    int is_first = 1;
-    for (size_t i = 0; i < c->part_count; ++i) {
-        const burnish_box *part = &r->boxes[i];
-        if (part->low[0] > part->high[0] || (plate ? c->parts[i].plate != plate : i != only)) {
-            continue;
-        }
-        for (int k = 0; k < 3; ++k) {
-            box->low[k] = is_first || part->low[k] < box->low[k] ? part->low[k] : box->low[k];
-            box->high[k] = is_first || part->high[k] > box->high[k] ? part->high[k] : box->high[k];
-        }
-        is_first = 0;
-    }
-    return !is_first;
-}
-
-static cJSON *size_or_null(const info_report *r, int plate, size_t only) {
-    burnish_box box;
-    if (!bound_contents(r, plate, only, &box)) {
-        return cJSON_CreateNull();
-    }
-    const float size[3] = {box.high[0] - box.low[0], box.high[1] - box.low[1],
-                           box.high[2] - box.low[2]};
-    return cli_json_floats(3, size);
-}
-
-static cJSON *number_or_null(int number) {
-    return number > 0 ? cli_json_count((size_t)number) : cJSON_CreateNull();
-}
-
-static cJSON *part_at(const void *from, size_t i) {
-    const info_report *r = from;
-    const burnish_part *part = &burnish_mesh_get_contents(r->mesh)->parts[i];
-    int failed = 0;
-    cJSON *row = cJSON_CreateObject();
-    cli_json_add(row, "name", cli_json_text(part->name), &failed);
-    cli_json_add(row, "role", cJSON_CreateString(burnish_part_role_name(part->role)), &failed);
-    cli_json_add(row, "id", cli_json_count(part->id), &failed);
-    cli_json_add(row, "plate", number_or_null(part->plate), &failed);
-    cli_json_add(row, "filament", number_or_null(part->filament), &failed);
-    cli_json_add(row, "triangles", cli_json_count(part->triangle_count), &failed);
-    cli_json_add(row, "size", size_or_null(r, 0, i), &failed);
-    return row;
-}
-
-static cJSON *plate_at(const void *from, size_t i) {
-    const info_report *r = from;
-    const burnish_plate *plate = &burnish_mesh_get_contents(r->mesh)->plates[i];
-    int failed = 0;
-    cJSON *row = cJSON_CreateObject();
-    cli_json_add(row, "number", cli_json_count((size_t)plate->number), &failed);
-    cli_json_add(row, "name", cli_json_text(plate->name), &failed);
-    cli_json_add(row, "size", size_or_null(r, plate->number, 0), &failed);
-    return row;
-}
-
-static cJSON *filament_at(const void *from, size_t i) {
-    const info_report *r = from;
-    const uint8_t *c = burnish_mesh_get_contents(r->mesh)->filaments[i].srgb;
-    char text[16];
-    snprintf(text, sizeof text, "#%02X%02X%02X", c[0], c[1], c[2]);
-    return cJSON_CreateString(text);
-}
-
-static cJSON *length_at(const void *from, size_t i) {
-    const info_report *r = from;
-    return cJSON_CreateNumber(burnish_mesh_get_contents(r->mesh)->filaments[i].length);
-}
-
 static void add_contents(cJSON *root, const info_report *r, int *failed) {
-    const burnish_contents *c = burnish_mesh_get_contents(r->mesh);
-    cli_json_add(root, "parts", cli_json_array(c->part_count, part_at, r), failed);
-    cli_json_add(root, "plates", cli_json_array(c->plate_count, plate_at, r), failed);
-    cli_json_add(root, "filaments", cli_json_array(c->filament_count, filament_at, r), failed);
-    cli_json_add(root, "filament_lengths", cli_json_array(c->filament_count, length_at, r), failed);
+    cJSON *contents = cli_contents_json(r->mesh, r->boxes, failed);
+    while (contents && contents->child) {
+        cJSON *list = cJSON_DetachItemViaPointer(contents, contents->child);
+        cli_json_add(root, list->string, list, failed);
+    }
+    cJSON_Delete(contents);
 }
 
-static void print_size(FILE *stream, const info_report *r, int plate, size_t only) {
-    burnish_box box;
-    if (bound_contents(r, plate, only, &box)) {
-        fprintf(stream, ", %.6g x %.6g x %.6g", (double)(box.high[0] - box.low[0]),
-                (double)(box.high[1] - box.low[1]), (double)(box.high[2] - box.low[2]));
+static void print_size(FILE *stream, const info_report *r, int plate, size_t part) {
+    float size[3];
+    const burnish_box box = plate ? cli_bound_plate(r->mesh, r->boxes, plate) : r->boxes[part];
+    if (cli_box_size(&box, size)) {
+        fprintf(stream, ", %.6g x %.6g x %.6g", (double)size[0], (double)size[1], (double)size[2]);
     }
 }
 

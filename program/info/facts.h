@@ -16,7 +16,7 @@ typedef struct info_report {
     const burnish_mesh_facts *facts; /* NULL: the input has points or lines instead of faces */
     float low[3], high[3], size[3];
     render_stance stance;
-    burnish_box *boxes; /* of the parts; NULL: no parts */
+    burnish_box *boxes; /* of the parts */
 } info_report;
 
 void info_print_text(FILE *stream, const info_report *r);

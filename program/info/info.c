@@ -4,6 +4,7 @@
 
 #include "base/cli/output.h"
 #include "batch/inputs.h"
+#include "cli/contents.h"
 #include "cli/input.h"
 #include "cli/main.h"
 #include "import/load_input.h"
@@ -78,10 +79,12 @@ static const cli_term json_terms[] = {
     {"*thumbnail*", "true if there is only a picture, no geometry; *triangles* is then 0"},
     {"*layers*", "of G-code, whose *lines* are the moves with filament and whose *parts* are its "
                  "features; 0 for others"},
-    {"*parts*", "of 3MF: name, role (solid, negative volume, modifier, support blocker, support "
-                "enforcer, support, not printed), id of the object, plate, filament, number of "
-                "triangles, size. Only solids are drawn and measured; volumes do not have negative "
-                "volumes subtracted"},
+    {"*parts*",
+     "of 3MF: name, role (solid, negative volume, modifier, support blocker, support "
+     "enforcer, support, not printed), id of the object, item of the build, plate, filament, "
+     "number of triangles, size, rows of the matrix that places it. Only solids are drawn and "
+     "measured; volumes do not have negative "
+     "volumes subtracted"},
     {"*plates, filaments*", "of a slicer's project: number, name and size; colours"},
     {"*filament_lengths*", "that G-code uses, in mm; 0 if unknown"},
     {"*unit*", "of lengths, from 3MF or glTF: micron, millimeter, centimeter, inch, foot or meter; "
@@ -207,13 +210,11 @@ static burnish_status print_facts(survey *s, const char *input, const burnish_me
     for (int axis = 0; axis < 3; ++axis) {
         r.size[axis] = r.high[axis] - r.low[axis];
     }
-    const size_t parts = burnish_mesh_get_contents(mesh)->part_count;
     burnish_status status = BURNISH_STATUS_OK;
-    r.boxes = parts > 0 ? malloc(parts * sizeof *r.boxes) : NULL;
-    if (parts > 0 && !r.boxes) {
+    r.boxes = cli_bound_parts(mesh);
+    if (!r.boxes) {
         return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the parts");
     }
-    burnish_mesh_bound_parts(mesh, r.boxes);
     if (s->settings->scene_box) {
         fprintf(s->output.stream,
                 "Scene bounding box: %g \u2264 x \u2264 %g, %g \u2264 y \u2264 %g, %g \u2264 z "

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/cli/output.h"
+#include "cli/contents.h"
 #include "cli/main.h"
 #include "render/flags.h"
 #include "render/output/result.h"
@@ -577,6 +579,14 @@ void session_bounds(const session *s, double minimum[3], double maximum[3]) {
         minimum[k] = low[k] + origin[k];
         maximum[k] = high[k] + origin[k];
     }
+}
+
+char *session_contents(const session *s) {
+    burnish_box *boxes = cli_bound_parts(s->mesh);
+    int failed = !boxes;
+    cJSON *contents = boxes ? cli_contents_json(s->mesh, boxes, &failed) : NULL;
+    free(boxes);
+    return cli_json_string(contents, failed, 0);
 }
 
 int session_up_number(const session *s) {

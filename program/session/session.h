@@ -96,6 +96,10 @@ const burnish_render_report *session_report(const session *s);
 burnish_camera session_camera(const session *s); /* in coordinates of the file */
 const burnish_mesh *session_mesh(const session *s);
 void session_bounds(const session *s, double minimum[3], double maximum[3]); /* the same */
+
+/* Parts, plates and filaments in JSON, to be freed; NULL: out of memory. */
+char *session_contents(const session *s);
+
 int session_up_number(const session *s); /* the axis in use, a render_up */
 
 /* Warning number `index`, the warnings of loading first; NULL past the last. */

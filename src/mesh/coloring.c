@@ -283,6 +283,15 @@ burnish_status burnish_mesh_color_by(burnish_mesh *mesh, const burnish_coloring 
         replace_materials(mesh, !paints_vertices);
         burnish_mesh_update_view(mesh);
     }
+    if (status == BURNISH_STATUS_OK && mesh->negatives &&
+        coloring->source == BURNISH_COLOR_BY_HEIGHT) { /* their walls have the same heights */
+        burnish_coloring same = *coloring;
+        memcpy(same.range, p.range, sizeof same.range);
+        for (int k = 0; k < 3; ++k) {
+            same.up[k] = k == 0 ? p.up.x : k == 1 ? p.up.y : p.up.z;
+        }
+        status = burnish_mesh_color_by(mesh->negatives, &same, NULL, error);
+    }
     if (range) {
         memcpy(range, p.range, sizeof p.range);
     }

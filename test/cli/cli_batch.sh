@@ -60,6 +60,24 @@ printf 'v 0 0 0\nv 10 0 0\nv 0 20 0\nv 0 0 30\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 
 batch tet.obj in/a.obj -d facts --size=16 --facts --unit=mm --index --title='Parts & more'
 check "facts: a tetrahedron has a sixth of its box" grep -q '"volume":1000,"area":.*"closed":true,"solid":true,"open_edges":0,"shells":1' facts/burnish-batch.jsonl
 check "the page: volume" grep -q '10 &times; 20 &times; 30 mm<br>1 cm&sup3;' facts/index.html
+python3 - <<'END'
+import zipfile
+vertices = "".join(f'<vertex x="{x}" y="{y}" z="{z}"/>' for x, y, z in [(0, 0, 0), (10, 0, 0), (0, 20, 0), (0, 0, 30)])
+mesh = f"<mesh><vertices>{vertices}</vertices><triangles>" + "".join(
+    '<triangle v1="%d" v2="%d" v3="%d"/>' % face for face in [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]) + "</triangles></mesh>"
+with zipfile.ZipFile("plates.3mf", "w") as archive:
+    archive.writestr("3D/3dmodel.model", '<model xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources><object '
+        f'id="1">{mesh}</object></resources><build><item objectid="1"/><item objectid="1"/></build></model>')
+    archive.writestr("Metadata/project_settings.config", '{"filament_colour":["#FF8000"]}')
+    archive.writestr("Metadata/model_settings.config", "<config>" + "".join(
+        f'<plate><metadata key="plater_name" value="&lt;{i}"/><model_instance><metadata key="object_id" value="1"/><metadata '
+        f'key="instance_id" value="{i}"/></model_instance></plate>' for i in range(2)) + "<plate/></config>")
+END
+batch plates.3mf -d project --size=16 --index
+plate='"name":"<1","size":[10,20,30]},{"number":3,"name":"","size":null}],"filaments":["#FF8000"]'
+check "plates in the report" grep -qF "$plate" project/burnish-batch.jsonl
+check "the page: plates" grep -q 'style="background:#FF8000"></i><br>Plate 1, &lt;0: 10 &times; 20 &times; 30 mm<br>Plate 2' project/index.html
+rm -r project plates.3mf
 check "the page: a badge" [ "$(grep -c 'not closed</span>, 3 open edges' facts/index.html)" = 1 ]
 check "the page: its title" grep -q '<h1>Parts &amp; more</h1>' facts/index.html
 for flags in '' --overwrite; do

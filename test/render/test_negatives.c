@@ -13,7 +13,8 @@ typedef struct box {
     double low[3], high[3];
 } box;
 
-/* Two items of the same object, the second one moved by 5 along x; solids come first. */
+/* Two items of the same object, the second one moved by 5 along x; solids come first, and every
+ * other negative volume is inside out. */
 typedef struct scene {
     box boxes[BOXES_MAX];
     int solids, count, items;
@@ -37,8 +38,9 @@ static burnish_mesh *load_scene(const scene *s) {
     m += sprintf(m, "</vertices><triangles>");
     for (int i = 0; i < 12 * s->count; ++i) {
         const int *at = corners[i % 12], first = 8 * (i / 12);
-        m += sprintf(m, "<triangle v1='%d' v2='%d' v3='%d'/>", first + at[0], first + at[1],
-                     first + at[2]);
+        const int is_turned = i / 12 >= s->solids && i / 12 % 2;
+        m += sprintf(m, "<triangle v1='%d' v2='%d' v3='%d'/>", first + at[0],
+                     first + at[1 + is_turned], first + at[2 - is_turned]);
     }
     for (int i = 0; i < s->count; ++i) {
         c += sprintf(c,
@@ -162,6 +164,7 @@ static void check_depths(int number, const scene *s, double x, double y, double 
     CHECK(wrong <= 1, "scene %d: %d pixels have another depth", number, wrong);
 }
 
+/* Boxes with some faces in common; no skins thinner than vertices snap. */
 static void test_random(int scenes) {
     uint64_t state = test_seed(45);
     for (int n = 0; n < scenes; ++n) {
@@ -169,8 +172,8 @@ static void test_random(int scenes) {
         for (int i = 0; i < s.count; ++i) {
             for (int k = 0; k < 3; ++k) {
                 const double size = i < s.solids ? 2 : 1.5;
-                s.boxes[i].low[k] = test_uniform(&state, -size - 0.6, -0.1);
-                s.boxes[i].high[k] = test_uniform(&state, 0.1, size + 0.6);
+                s.boxes[i].low[k] = -round(test_uniform(&state, 1, 8 * (size + 0.6))) / 8;
+                s.boxes[i].high[k] = round(test_uniform(&state, 1, 8 * (size + 0.6))) / 8;
             }
         }
         if (n % 3 == 2) {
@@ -194,6 +197,20 @@ static void test_flush(void) {
         {0}};
     check_depths(-1, &s, 2.013, 0.017, 20);
     check_depths(-1, &s, 9, -7, 12);
+}
+
+/* Walls of negative volumes have the colours of their own heights. */
+static void test_heights(void) {
+    const scene s = {{{{-2, -2, -2}, {2, 2, 2}}, {{-1, -1, -1}, {1, 3, 1}}}, 1, 2, 1, {0}};
+    OWNED_MESH *mesh = load_scene(&s);
+    const burnish_coloring coloring = burnish_coloring_default();
+    burnish_error error = {0};
+    CHECK_OK(burnish_mesh_color_by(mesh, &coloring, NULL, &error), error);
+    const burnish_mesh_view *view = burnish_mesh_get_view(burnish_mesh_get_negatives(mesh));
+    for (size_t i = 0; i < view->vertex_count && CHECK1(view->texture_coordinates); ++i) {
+        const float height = (view->positions[3 * i + 2] + 2) / 4;
+        CHECK1(fabsf(view->texture_coordinates[2 * i] - (255 * height + 0.5F) / 256) < 1e-6F);
+    }
 }
 
 /* ---- Limits ---- */
@@ -272,6 +289,7 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_random(24));
     RUN(test_flush());
+    RUN(test_heights());
     RUN(test_limits());
     RUN(test_bits(1, 0));
     RUN(test_bits(4, 0));

@@ -136,6 +136,7 @@ static inline const char *second_part_name(const void *bytes, size_t size) {
     const char first = size > 0 ? *(const char *)bytes : 0;
     return first == '{'                                   ? "Metadata/project_settings.config"
            : first == ';'                                 ? "Metadata/Slic3r_PE.config"
+           : size > 7 && memcmp(bytes, "<object", 7) == 0 ? "Metadata/layer_config_ranges.xml"
            : size > 7 && memcmp(bytes, "<config", 7) == 0 ? "Metadata/model_settings.config"
                                                           : "b";
 }

@@ -131,6 +131,15 @@ for (const name of ["wedge.stl", "cube.obj", ...names.filter((name) => /^cube.*\
   }
   mesh.close();
 }
+for (const name of names.filter((name) => /\.(3mf|gcode)$/.test(name))) {
+  const run = ran("info", name, "--json"), wanted = run.status === 0 ? JSON.parse(run.stdout) : null;
+  const mesh = wanted && burnish.open(readFileSync(name), { name });
+  for (const kind of ["parts", "plates"]) {
+    check(`${name}: ${kind}`, JSON.stringify(mesh?.[kind]), JSON.stringify(wanted?.[kind]));
+  }
+  check(`${name}: filaments`, JSON.stringify(mesh?.filaments.map(({ color }) => color)), JSON.stringify(wanted?.filaments));
+  mesh?.close();
+}
 {
   const pictures = ["left", "iso"].map((views) => burnish.render(files["cube.obj"], { name: "cube.obj", files, size: 64, views }));
   pictures.forEach((picture, i) => writeFileSync(`${i}.png`, encodePng(picture)));

@@ -17,15 +17,15 @@ import difflib
 import json
 import os
 from collections.abc import Iterable, Mapping
-from typing import Any, Unpack
+from typing import Any, NamedTuple, Unpack
 
 from . import _burnish, _shapes, lobe
 from ._burnish import ArgumentError, Error, FileError, Image, MissingFileError
 from ._options import Drawing, Loading, Options, Plane, Words
 
 __all__ = [
-    "ArgumentError", "Drawing", "Error", "FileError", "Image", "Loading", "Mesh", "MissingFileError", "Options", "Scene",
-    "__version__", "load", "lobe", "render",
+    "ArgumentError", "Drawing", "Error", "FileError", "Filament", "Image", "Loading", "Mesh", "MissingFileError", "Options", "Part",
+    "Plate", "Scene", "__version__", "load", "lobe", "render",
 ]  # fmt: skip
 __version__: str = _burnish.version
 
@@ -94,6 +94,44 @@ def _reduce(image: Image) -> Any:
 copyreg.pickle(Image, _reduce)
 
 
+class Part(NamedTuple):
+    """A part of a mesh: an object of the file, or one of its volumes, at one of its places. Only solids are drawn."""
+
+    name: str
+    role: str
+    """One of "solid", "negative volume", "modifier", "support blocker", "support enforcer", "support" or "not printed"."""
+    id: int
+    """Of the object in the file."""
+    item: int
+    """Of the file, that placed it: negative volumes are subtracted from solids of the same item."""
+    plate: int | None
+    filament: int | None
+    """The number of its filament, from 1."""
+    triangles: int
+    size: list[float] | None
+    """Of what is drawn, along X, Y and Z."""
+    transform: list[float]
+    """The matrix from the object to the file's coordinates: three rows of four."""
+
+
+class Plate(NamedTuple):
+    """A plate of a slicer's project."""
+
+    number: int
+    name: str
+    size: list[float] | None
+    """Of what is drawn of it; None for an empty plate."""
+
+
+class Filament(NamedTuple):
+    """A filament of a slicer's project or of G-code."""
+
+    color: str
+    """As "#FF8000"."""
+    length: float
+    """That G-code uses, in millimetres; 0 if unknown."""
+
+
 class Mesh(_burnish.Mesh):
     """A mesh from arrays, which can be drawn many times and by several threads.
 
@@ -151,6 +189,22 @@ class Mesh(_burnish.Mesh):
         """
         _check("render", options, "draw", "load() or Mesh()")
         return self._draw(_kinds(planes), _pairs(options))
+
+    @property
+    def parts(self) -> list[Part]:
+        """What the file consists of, such as objects of 3MF and features of G-code; empty for formats without parts."""
+        return [Part(**row) for row in json.loads(self._contents())["parts"]]
+
+    @property
+    def plates(self) -> list[Plate]:
+        """The plates of a slicer's project that names some."""
+        return [Plate(**row) for row in json.loads(self._contents())["plates"]]
+
+    @property
+    def filaments(self) -> list[Filament]:
+        """Filament i + 1 of parts is item i."""
+        contents = json.loads(self._contents())
+        return [Filament(*row) for row in zip(contents["filaments"], contents["filament_lengths"], strict=True)]
 
     def _repr_png_(self) -> bytes:
         return self.render(size=480).png()

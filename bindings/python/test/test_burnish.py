@@ -18,6 +18,7 @@ import sys
 import threading
 import typing
 import unittest
+import zipfile
 from array import array
 from pathlib import Path
 from types import SimpleNamespace
@@ -522,6 +523,43 @@ class Arrays(unittest.TestCase):
             burnish.render(SimpleNamespace())
         with self.assertRaises(TypeError):
             _burnish.Mesh()
+
+
+class Contents(unittest.TestCase):
+    def test_project(self):
+        """A project of two plates: parts, plates and filaments, as they are in the file."""
+        namespace = 'xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"'
+        mesh = "<mesh><vertices>{}</vertices><triangles>{}</triangles></mesh>".format(
+            "".join('<vertex x="{}" y="{}" z="{}"/>'.format(*corner) for corner in CORNERS),
+            "".join('<triangle v1="{}" v2="{}" v3="{}"/>'.format(*face) for face in FACES),
+        )
+        plates = "".join(
+            f'<plate><metadata key="plater_id" value="{n}"/><metadata key="plater_name" value="p\u00e9 {n}"/><model_instance>'
+            f'<metadata key="object_id" value="1"/><metadata key="instance_id" value="{n - 1}"/></model_instance></plate>' for n in (1, 2)
+        )
+        parts = {
+            "3D/3dmodel.model": f'<model {namespace}><resources><object id="1">{mesh}</object></resources><build>'
+            '<item objectid="1" transform="1 0 0 0 1 0 0 0 1 5 6 7"/><item objectid="1" printable="0"/></build></model>',
+            "Metadata/model_settings.config": '<config><object id="1"><metadata key="name" value="wedge"/>'
+            f'<metadata key="extruder" value="2"/></object>{plates}</config>',
+            "Metadata/project_settings.config": '{"filament_colour":["#FF8000","#0000FF"]}',
+        }
+        archive = io.BytesIO()
+        with zipfile.ZipFile(archive, "w") as file:
+            for name, text in parts.items():
+                file.writestr(name, text)
+        project = burnish.load(archive.getvalue(), name="a.3mf")
+        row = project.parts[0]
+        self.assertEqual(row[:-1], ("wedge", "solid", 1, 0, 1, 2, 4, [1, 2, 3]))
+        self.assertEqual(row.transform, [1, 0, 0, 5, 0, 1, 0, 6, 0, 0, 1, 7])
+        self.assertEqual((project.parts[1].role, project.parts[1].size), ("not printed", None))
+        self.assertEqual(project.plates, [(1, "p\u00e9 1", [1, 2, 3]), (2, "p\u00e9 2", None)])
+        self.assertEqual(project.filaments, [burnish.Filament("#FF8000", 0), burnish.Filament("#0000FF", 0)])
+        self.assertEqual(project.face_parts.tolist(), [0] * 4)
+
+    def test_others(self):
+        teapot = burnish.load(":teapot")
+        self.assertEqual((teapot.parts, teapot.plates, teapot.filaments, teapot.face_parts), ([], [], [], None))
 
 
 class Errors(unittest.TestCase):

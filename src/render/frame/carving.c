@@ -72,10 +72,10 @@ static void find_items(burnish_carving *carving, const burnish_mesh *mesh, burni
     burnish_release(memory->context, first);
 }
 
-/* Negative volumes look like the solids that they cut: they have the material, the colour and the
- * coordinates of one corner of these. */
+/* Negative volumes look like the solids that they cut: they have the material of these, and what they
+ * lack themselves of one corner. */
 static void dress_negatives(burnish_carving *carving, const burnish_mesh_view *own,
-                            const size_t sizes[STREAMS]) {
+                            const void *const more[STREAMS], const size_t sizes[STREAMS]) {
     uint32_t *indices = carving->arrays[INDICES];
     uint16_t *materials = carving->arrays[MATERIALS];
     for (size_t i = own->triangle_count; i < carving->view.triangle_count; ++i) {
@@ -84,7 +84,7 @@ static void dress_negatives(burnish_carving *carving, const burnish_mesh_view *o
             const size_t vertex = indices[3 * i + k] += (uint32_t)own->vertex_count;
             for (int s = 2; s < STREAMS; ++s) {
                 char *stream = carving->arrays[s];
-                if (stream) {
+                if (stream && !more[s]) {
                     memcpy(stream + vertex * sizes[s], stream + own->indices[3 * host] * sizes[s],
                            sizes[s]);
                 }
@@ -103,6 +103,8 @@ static burnish_status join_meshes(burnish_carving *carving, const burnish_mesh *
     const void *const from[STREAMS] = {
         own->positions,          own->normals, own->colors, own->texture_coordinates,
         own->second_coordinates, own->tangents};
+    const void *const added[STREAMS] = {more->positions, more->normals, more->colors,
+                                        more->texture_coordinates};
     const size_t sizes[STREAMS] = {12, 12, 4, 8, 8, 16}; /* bytes, as mesh.h says */
     burnish_mesh_view *view = &carving->view;
     void **arrays = carving->arrays;
@@ -110,12 +112,9 @@ static burnish_status join_meshes(burnish_carving *carving, const burnish_mesh *
     view->vertex_count += more->vertex_count;
     view->triangle_count += more->triangle_count;
     for (int s = 0; s < STREAMS; ++s) {
-        arrays[s] = join_arrays(memory, from[s], own->vertex_count,
-                                s == 0   ? more->positions
-                                : s == 1 ? more->normals
-                                         : NULL,
-                                more->vertex_count, sizes[s]);
-        if (arrays[s] && s > 1) { /* vertices of no triangle */
+        arrays[s] =
+            join_arrays(memory, from[s], own->vertex_count, added[s], more->vertex_count, sizes[s]);
+        if (arrays[s] && !added[s]) { /* vertices of no triangle */
             memset((char *)arrays[s] + own->vertex_count * sizes[s], 0,
                    more->vertex_count * sizes[s]);
         }
@@ -126,7 +125,7 @@ static burnish_status join_meshes(burnish_carving *carving, const burnish_mesh *
                                     more->triangle_count, sizeof *own->triangle_materials);
     find_items(carving, mesh, memory);
     if (memory->status == BURNISH_STATUS_OK) {
-        dress_negatives(carving, own, sizes);
+        dress_negatives(carving, own, added, sizes);
         view->positions = arrays[0];
         view->normals = arrays[1];
         view->colors = arrays[2];
@@ -204,8 +203,9 @@ typedef struct place {
     int16_t inside, open; /* of how many solids, and negative volumes */
 } place;
 
-/* Kinds of layers, of equal depth in this order: faces that lie in each other open holes. */
-enum { NEGATIVE_FRONT, SOLID_BACK, SOLID_FRONT, NEGATIVE_BACK };
+/* Kinds of layers, of equal depth in this order: faces that lie in each other open holes, and a solid
+ * is left behind its outline. */
+enum { NEGATIVE_FRONT, SOLID_FRONT, SOLID_BACK, NEGATIVE_BACK };
 
 typedef struct layer {
     float depth;

@@ -310,18 +310,70 @@ static void test_beds(void) {
 
 /* What the settings announce and no picture shows. */
 static void test_undrawn(void) {
-    static const char *const texts[2][3] = {
-        {";\n; support_material = 1\n", "Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml",
-         "<code type=\"0\"/>"},
-        {"{'enable_support':'1'}", "Metadata/layer_config_ranges.xml",
-         "<b opt_key=\"extruder\"/>"}};
+    static const char *const texts[2] = {";\n; support_material = 1\n", "{'enable_support':'1'}"};
     for (int i = 0; i < 2; ++i) {
-        zip_list *zip = begin_project(MODEL(PLATED, ITEM_1), NULL, texts[i][0]);
-        put_part_text(zip, texts[i][1], texts[i][2]);
-        CHECK_OK(run_3mf(zip), fault);
-        check_warnings(2, "mesh.3mf: supports that the slicer will make are not drawn",
-                       "mesh.3mf: changes of the filament at a height are not drawn");
+        read_project(MODEL(PLATED, ITEM_1), NULL, texts[i]);
+        check_warnings(1, "mesh.3mf: supports that the slicer will make are not drawn");
     }
+}
+
+/* ---- Heights ---- */
+
+/* Three tetrahedra of two objects with filament 1, and a file of heights: the area of each filament in
+ * the sides toward -y. Below z, such a side has 2 z - z^2 / 4. */
+static void check_heights(const char *name, const char *heights, const double areas[3]) {
+    zip_list *zip = begin_project(
+        MODEL_OF("unit='millimeter'",
+                 "<object id='7'>" MESH "</object><object id='3'>" MESH "</object>"
+                 "<object id='4'><components><component objectid='7'/></components></object>",
+                 "<item objectid='7'/><item objectid='4'" AT("9", "0") "<item objectid='3'" AT(
+                     "0", "9")),
+        NULL, ";\n; filament_colour = #FF0000;#00FF00\n; layer_height = 0.5\n");
+    double found[3] = {0, 0, 0};
+    put_part_text(zip, name, heights);
+    CHECK_OK(run_3mf(zip), fault);
+    check_warning(NULL);
+    for (size_t i = 0; i < got.triangle_count; ++i) {
+        const float *p[3];
+        for (size_t k = 0; k < 3; ++k) {
+            p[k] = burnish_positions(&got) + 3 * got.streams[BURNISH_POSITION].corners[3 * i + k];
+        }
+        const float area =
+            (p[1][0] - p[0][0]) * (p[2][2] - p[0][2]) - (p[1][2] - p[0][2]) * (p[2][0] - p[0][0]);
+        const int is_side = p[0][1] == p[1][1] && p[0][1] == p[2][1];
+        found[got.triangle_materials[i]] += is_side ? (double)area / 2 : 0;
+    }
+    for (int k = 0; k < 3; ++k) {
+        CHECK(fabs(found[k] - areas[k]) < 1e-5, "%s: filament %d has %g, not %g", name, k + 1,
+              found[k], areas[k]);
+    }
+    burnish_load_options options = burnish_load_options_default();
+    options.measure = 1;
+    OWNED_MESH *mesh = load_bytes(zip->bytes, zip->size, NULL, &options);
+    CHECK(burnish_mesh_get_facts(mesh)->is_solid &&
+              fabs(burnish_mesh_get_facts(mesh)->volume - 12) < 1e-5,
+          "%s", name);
+}
+
+static void test_heights(void) {
+    check_heights("Metadata/Prusa_Slicer_layer_config_ranges.xml",
+                  "<objects><object id=\"1\"><range min_z=\"1\" max_z=\"2\"><option "
+                  "opt_key=\"layer_height\">0.2</option><option opt_key=\"extruder\">2</option>"
+                  "</range></object></objects>",
+                  (double[3]){12 - 2 * 1.25, 2 * 1.25, 0});
+    check_heights("Metadata/layer_config_ranges.xml",
+                  "<object id=\"2\"><range min_z=\"-1\" max_z=\"3\"><option "
+                  "opt_key=\"extruder\">2</option><option opt_key=\"extruder\">0</option>",
+                  (double[3]){8.25, 3.75, 0});
+    check_heights("Metadata/custom_gcode_per_layer.xml",
+                  "<plate><plate_info id=\"1\"/><layer top_z=\"1.5\" type=\"2\" extruder=\"2\" "
+                  "color=\"#0000FF\"/><layer top_z=\"2\" type=\"1\" extruder=\"1\"/><layer "
+                  "top_z=\"3.5\" type=\"0\" extruder=\"1\" color=\"#0000FF\"/></plate>",
+                  (double[3]){5.25, 6.75, 0});
+    check_heights("Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml",
+                  "<custom_gcodes_per_print_z bed_idx=\"0\"><code print_z=\"2.5\" type=\"0\" "
+                  "extruder=\"1\" color=\"#0000FF\" gcode=\"M600\"/></custom_gcodes_per_print_z>",
+                  (double[3]){9, 0, 3});
 }
 
 /* Triangles keep their parts when they are reordered and cut. */
@@ -428,6 +480,7 @@ int main(int count, char **arguments) {
         RUN(test_one_plate());
         RUN(test_beds());
         RUN(test_undrawn());
+        RUN(test_heights());
         RUN(test_triangle_parts());
         RUN(test_thumbnail());
     }

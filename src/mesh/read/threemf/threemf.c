@@ -198,6 +198,8 @@ static void close_file(burnish_threemf *threemf) {
     burnish_release(context, threemf->instances.items);
     burnish_release(context, threemf->plates.items);
     burnish_release(context, threemf->filaments.items);
+    burnish_release(context, threemf->heights.items);
+    burnish_release(context, threemf->owners.items);
     burnish_release(context, threemf->middles);
     burnish_zip_close(&threemf->zip);
 }

@@ -9,6 +9,7 @@
  *   threemf_beams   beam lattices, which become triangles
  *   threemf_project what slicers add: volumes, plates, filaments
  *   threemf_plates  where several plates are drawn
+ *   threemf_heights  ... and filaments that change with the height
  *   threemf_count   objects placed by the build: counted
  *   threemf_scene   ... and written to the mesh
  *   threemf_thumbnail  the package's own picture, if there is nothing else
@@ -124,6 +125,19 @@ typedef struct burnish_threemf_instance {
     uint32_t plate;          /* index */
 } burnish_threemf_instance;
 
+/* Of a slicer: where filament `to` is used in place of filament `from`; 0: of any. */
+typedef struct burnish_threemf_height {
+    uint32_t object, plate; /* one of these, from 1, or both 0 for all; an object by its order */
+    double low, high;       /* above the object's lowest point, or above the plate */
+    uint32_t from, to;
+} burnish_threemf_height;
+
+/* Of a triangle of the mesh, if there are heights. */
+typedef struct burnish_threemf_owner {
+    uint32_t item;
+    int is_fixed; /* 1: its colour is no filament of a part */
+} burnish_threemf_owner;
+
 typedef struct burnish_threemf_triangle {
     uint32_t corners[3]; /* from the object's first vertex */
     uint32_t source;     /* which of the object's triangles in the file it is, or a piece of */
@@ -169,6 +183,7 @@ typedef struct burnish_threemf_object {
     uint32_t group, property; /* for triangles without properties; group 0: none */
     uint32_t settings;        /* 1 + number; 0: none */
     uint32_t items;           /* of the build, so far */
+    uint32_t order;           /* of the project's objects, from 1; 0: not numbered */
     char name[BURNISH_NAME_SIZE];
     int is_model;     /* 0: a support, or an aid for other programs */
     int is_component; /* 1: another object holds it */
@@ -207,6 +222,9 @@ typedef struct burnish_threemf {
     BURNISH_THREEMF_LIST(burnish_threemf_instance) instances; /* sorted, once all are there */
     BURNISH_THREEMF_LIST(burnish_plate) plates;
     BURNISH_THREEMF_LIST(burnish_filament) filaments;
+    BURNISH_THREEMF_LIST(burnish_threemf_height) heights;
+    BURNISH_THREEMF_LIST(burnish_threemf_owner) owners; /* of the mesh's triangles */
+    double layer_height;                                /* of all layers but the first */
     burnish_threemf_middle *middles; /* of the current object, hashed by their ends */
     size_t middle_count, middle_room;
     double plate_boxes[BURNISH_THREEMF_PLATES][2][2]; /* low and high of what is drawn */
@@ -298,6 +316,20 @@ uint32_t burnish_threemf_filament(const burnish_threemf *threemf, uint32_t numbe
 
 /* The plate of an item, by the id of its object and its number among these; NONE: not stated. */
 uint32_t burnish_threemf_plate_of(const burnish_threemf *threemf, uint32_t object, uint32_t number);
+
+/* The number of the filament of a colour, which becomes one behind the first `least`. */
+uint32_t burnish_threemf_add_filament(burnish_threemf *threemf, uint32_t least, const char *color);
+
+/* ---- threemf_heights.c ---- */
+
+/* Reads a file of heights; text ends with a 0 at `size`. */
+void burnish_threemf_read_heights(burnish_threemf *threemf, const char *text, size_t size);
+
+/* Numbers the objects in the order of the build. */
+void burnish_threemf_number_objects(burnish_threemf *threemf);
+
+/* Splits the mesh's triangles. Returns 0 on failure. */
+int burnish_threemf_split_heights(burnish_threemf *threemf);
 
 /* ---- threemf_thumbnail.c ---- */
 

@@ -164,6 +164,20 @@ static void set_filament(burnish_threemf *threemf, size_t number, const char *te
     }
 }
 
+uint32_t burnish_threemf_add_filament(burnish_threemf *threemf, uint32_t least, const char *color) {
+    uint8_t srgb[4];
+    size_t i = 0;
+    set_filament(threemf, least < FILAMENTS_MOST ? least - 1 : 0, NULL);
+    burnish_threemf_read_color(color, srgb);
+    while (i < threemf->filaments.count && memcmp(threemf->filaments.items[i].srgb, srgb, 3) != 0) {
+        ++i;
+    }
+    if (i == threemf->filaments.count) {
+        set_filament(threemf, i, color);
+    }
+    return (uint32_t)i + 1;
+}
+
 /* Without colours in the file, filaments that are told apart get some. */
 static void invent_filaments(burnish_threemf *threemf) {
     uint32_t most = threemf->paint_most;
@@ -175,6 +189,9 @@ static void invent_filaments(burnish_threemf *threemf) {
         const burnish_threemf_volume *volume = &threemf->volumes.items[i];
         most =
             volume->role == BURNISH_PART_SOLID && volume->filament > most ? volume->filament : most;
+    }
+    for (size_t i = 0; i < threemf->heights.count; ++i) {
+        most = threemf->heights.items[i].to > most ? threemf->heights.items[i].to : most;
     }
     if (threemf->filaments.count == 0 && (most > 1 || threemf->paint_most > 0)) {
         set_filament(threemf, most < FILAMENTS_MOST ? most - 1 : FILAMENTS_MOST - 1, NULL);
@@ -198,6 +215,14 @@ static void extend_bed(burnish_threemf *threemf, size_t number, const char *text
     }
 }
 
+static void set_layer_height(burnish_threemf *threemf, size_t number, const char *text) {
+    const burnish_token token = {(const uint8_t *)text, strlen(text)};
+    double height;
+    if (number == 0 && burnish_parse_double(token, &height) == BURNISH_NUMBER_OK) {
+        threemf->layer_height = height;
+    }
+}
+
 /* Bambu Studio and OrcaSlicer: values of JSON. */
 static void read_json_settings(burnish_threemf *threemf, const char *bytes, size_t size) {
     burnish_json json = {0};
@@ -217,6 +242,8 @@ static void read_json_settings(burnish_threemf *threemf, const char *bytes, size
             extend_bed(threemf, i, text);
             at = json.nodes[at].next;
         }
+        burnish_json_text(&json, burnish_json_member(&json, 0, "layer_height"), text, sizeof text);
+        set_layer_height(threemf, 0, text);
         burnish_json_text(&json, burnish_json_member(&json, 0, "enable_support"), text,
                           sizeof text);
         if (strcmp(text, "1") == 0) {
@@ -249,19 +276,10 @@ static void read_text_settings(burnish_threemf *threemf, const char *text, size_
     read_line(threemf, text, "\n; filament_colour = ", ";\r\n", set_filament);
     read_line(threemf, text, "\n; extruder_colour = ", ";\r\n", set_filament); /* goes first */
     read_line(threemf, text, "\n; bed_shape = ", ",\r\n", extend_bed);
+    read_line(threemf, text, "\n; layer_height = ", "\r\n", set_layer_height);
     threemf->has_beds = threemf->plates.count == 0;
     if (strstr(text, "\n; support_material = 1")) {
         burnish_reader_warn(threemf->reader, NULL, supports);
-    }
-}
-
-/* Heights of objects and plates with settings of their own, in XML. */
-static void read_heights(burnish_threemf *threemf, const char *text, size_t size) {
-    (void)size;
-    if (strstr(text, "opt_key=\"extruder\"") || strstr(text, " type=\"0\"") ||
-        strstr(text, " type=\"2\"")) {
-        burnish_reader_warn(threemf->reader, NULL,
-                            "changes of the filament at a height are not drawn");
     }
 }
 
@@ -342,10 +360,12 @@ int burnish_threemf_read_project(burnish_threemf *threemf) {
     read_file(threemf, "Metadata/Slic3r_PE_model.config", NULL);
     read_file(threemf, "Metadata/project_settings.config", read_json_settings);
     read_file(threemf, "Metadata/Slic3r_PE.config", read_text_settings);
-    read_file(threemf, "Metadata/layer_config_ranges.xml", read_heights);
-    read_file(threemf, "Metadata/custom_gcode_per_layer.xml", read_heights);
-    read_file(threemf, "Metadata/Prusa_Slicer_layer_config_ranges.xml", read_heights);
-    read_file(threemf, "Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml", read_heights);
+    read_file(threemf, "Metadata/layer_config_ranges.xml", burnish_threemf_read_heights);
+    read_file(threemf, "Metadata/custom_gcode_per_layer.xml", burnish_threemf_read_heights);
+    read_file(threemf, "Metadata/Prusa_Slicer_layer_config_ranges.xml",
+              burnish_threemf_read_heights);
+    read_file(threemf, "Metadata/Prusa_Slicer_custom_gcode_per_print_z.xml",
+              burnish_threemf_read_heights);
     if (threemf->instances.count > 0) {
         qsort(threemf->instances.items, threemf->instances.count, sizeof *threemf->instances.items,
               compare_instances);

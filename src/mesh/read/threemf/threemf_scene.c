@@ -383,7 +383,7 @@ static int is_mirrored(const double m[12]) {
 static void put_triangle(const scene_writer *writer, burnish_mesh_data *mesh,
                          const burnish_threemf_triangle *triangle, uint32_t base, int is_turned,
                          uint32_t filament) {
-    const burnish_threemf *threemf = writer->threemf;
+    burnish_threemf *threemf = writer->threemf;
     const int is_drawn = mesh == writer->mesh;
     const uint32_t paint = triangle->paint <= threemf->filaments.count ? triangle->paint : 0;
     const burnish_threemf_group *group = paint || triangle->group >= threemf->groups.count
@@ -409,6 +409,13 @@ static void put_triangle(const scene_writer *writer, burnish_mesh_data *mesh,
         mesh->triangle_materials[mesh->triangle_count] =
             paint || (!group && filament) ? (uint16_t)((paint ? paint : filament) - 1)
                                           : burnish_threemf_material_of(threemf, triangle);
+    }
+    burnish_threemf_owner *owner = threemf->heights.count > 0 && is_drawn
+                                       ? BURNISH_THREEMF_APPEND(threemf, &threemf->owners)
+                                       : NULL;
+    if (owner) {
+        owner->item = (uint32_t)(writer->item - threemf->items.items);
+        owner->is_fixed = paint || group || !filament;
     }
     if (mesh->triangle_parts) {
         const size_t last = writer->mesh->part_count - 1;
@@ -522,9 +529,42 @@ static int reserve_arrays(scene_writer *writer) {
     return threemf->status == BURNISH_STATUS_OK;
 }
 
+/* Turns negative volumes that are inside out: what is open is between their fronts and backs.
+ * Returns 0 on failure. */
+static int orient_negatives(scene_writer *writer) {
+    burnish_mesh_data *mesh = writer->mesh->negatives;
+    double *volumes =
+        mesh ? burnish_allocate_zeroed(writer->threemf->memory, writer->mesh->part_count,
+                                       sizeof *volumes, "negative volumes")
+             : NULL;
+    uint32_t *corners = volumes ? mesh->streams[BURNISH_POSITION].corners : NULL;
+    for (size_t i = 0; corners && i < mesh->triangle_count; ++i) {
+        const float *p[3];
+        for (size_t k = 0; k < 3; ++k) {
+            p[k] = burnish_positions(mesh) + 3 * (size_t)corners[3 * i + k];
+        }
+        for (int k = 0; k < 3; ++k) {
+            const int l = (k + 1) % 3, m = (k + 2) % 3;
+            volumes[mesh->triangle_parts[i]] +=
+                (double)p[0][k] *
+                ((double)p[1][l] * (double)p[2][m] - (double)p[1][m] * (double)p[2][l]);
+        }
+    }
+    for (size_t i = 0; corners && i < mesh->triangle_count; ++i) {
+        if (volumes[mesh->triangle_parts[i]] < 0) {
+            const uint32_t second = corners[3 * i + 1];
+            corners[3 * i + 1] = corners[3 * i + 2];
+            corners[3 * i + 2] = second;
+        }
+    }
+    burnish_release(writer->threemf->memory->context, volumes);
+    return !mesh || volumes;
+}
+
 int burnish_threemf_write_scene(burnish_threemf *threemf) {
     scene_writer writer = {.threemf = threemf, .mesh = threemf->reader->mesh};
     resolve_all(threemf);
+    burnish_threemf_number_objects(threemf);
     for (int i = 0; i < BURNISH_THREEMF_PLATES; ++i) {
         for (int k = 0; k < 2; ++k) {
             threemf->plate_boxes[i][0][k] = DBL_MAX;
@@ -548,7 +588,8 @@ int burnish_threemf_write_scene(burnish_threemf *threemf) {
                                               BURNISH_VALUE_LIMIT);
         return 0;
     }
-    return reserve_arrays(&writer) && walk_all(&writer, write_object);
+    return reserve_arrays(&writer) && walk_all(&writer, write_object) &&
+           orient_negatives(&writer) && burnish_threemf_split_heights(threemf);
 }
 
 #endif
