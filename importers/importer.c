@@ -94,6 +94,12 @@ static uint64_t size_of(const importer_mesh *mesh, size_t text_size) {
         size += BURNISH_BMS_TEXTURE_SIZE + padded_size(strlen(mesh->textures[i].name)) +
                 padded_size(mesh->textures[i].size);
     }
+    if (mesh->parts & BURNISH_BMS_NAMED_PARTS) {
+        size += 4;
+        for (uint32_t i = 0; i < mesh->named_part_count; ++i) {
+            size += 8 + padded_size(strlen(mesh->named_parts[i].name));
+        }
+    }
     return size;
 }
 
@@ -158,10 +164,24 @@ static void put_texture(const importer_texture *texture) {
     importer_put_padded(texture->bytes, texture->size);
 }
 
+static void put_parts(const importer_mesh *mesh) {
+    importer_put_word(mesh->named_part_count);
+    for (uint32_t i = 0; i < mesh->named_part_count; ++i) {
+        const importer_part *part = &mesh->named_parts[i];
+        const size_t size = strlen(part->name);
+        importer_put_word(part->triangle_count);
+        importer_put_word((uint32_t)size);
+        importer_put_padded(part->name, size);
+    }
+}
+
 static void put_mesh(const importer_mesh *mesh) {
     put_head(mesh, BURNISH_BMS_MESH, mesh->warnings, mesh->warnings_size);
     for (uint32_t i = 0; i < mesh->texture_count; ++i) {
         put_texture(&mesh->textures[i]);
+    }
+    if (mesh->parts & BURNISH_BMS_NAMED_PARTS) {
+        put_parts(mesh);
     }
     for (uint32_t i = 0; i < mesh->material_count; ++i) {
         put_material(&mesh->materials[i]);
@@ -238,6 +258,25 @@ void importer_allocate(importer_mesh *mesh) {
         mesh->triangle_materials =
             importer_zeroed(mesh->triangle_count, sizeof *mesh->triangle_materials);
     }
+}
+
+void importer_add_part(importer_mesh *mesh, const char *name, uint64_t triangles) {
+    const uint32_t count = mesh->named_part_count;
+    const size_t size = strlen(name), kept = size < BURNISH_NAME_SIZE ? size : BURNISH_NAME_SIZE;
+    if (triangles == 0) {
+        return;
+    }
+    if ((count & (count - 1)) == 0) { /* a power of two is full */
+        mesh->named_parts =
+            realloc(mesh->named_parts, (count ? 2 * (size_t)count : 1) * sizeof *mesh->named_parts);
+    }
+    if (!mesh->named_parts) {
+        importer_fail(BURNISH_BMS_MEMORY_ERROR, "out of memory");
+    }
+    importer_part *part = &mesh->named_parts[mesh->named_part_count++];
+    *part = (importer_part){(uint32_t)triangles, importer_zeroed(kept + 1, 1)};
+    memcpy(part->name, name, kept);
+    mesh->parts |= BURNISH_BMS_NAMED_PARTS;
 }
 
 void importer_linear(const float srgb[3], float linear[3]) {

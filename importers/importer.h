@@ -39,6 +39,12 @@ typedef struct importer_texture {
     uint32_t size;
 } importer_texture;
 
+/* Triangles that follow those of the part before. */
+typedef struct importer_part {
+    uint32_t triangle_count;
+    char *name;
+} importer_part;
+
 /* Counts and parts are set first, then importer_allocate makes the arrays. */
 typedef struct importer_mesh {
     uint64_t vertex_count, triangle_count; /* checked by importer_allocate */
@@ -50,6 +56,8 @@ typedef struct importer_mesh {
     uint32_t material_count;
     importer_texture *textures;
     uint32_t texture_count;
+    importer_part *named_parts; /* importer_add_part */
+    uint32_t named_part_count;
     float up[3]; /* all 0: +Y */
     float unit;  /* metres; 0: unknown */
     char warnings[4096];
@@ -103,6 +111,9 @@ void *importer_zeroed(uint64_t count, size_t size);
 
 /* The arrays of counts and parts. */
 void importer_allocate(importer_mesh *mesh);
+
+/* Adds a part of triangles that no part has yet, unless there are none. The parts must have all. */
+void importer_add_part(importer_mesh *mesh, const char *name, uint64_t triangles);
 
 /* The colour of sRGB values as linear light. */
 void importer_linear(const float srgb[3], float linear[3]);

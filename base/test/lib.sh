@@ -110,9 +110,9 @@ nothing_left() {
     [ -z "$(ls -A)" ] || fail "$1: left behind: $(ls -A)"
 }
 
-# json KEY: the values of that key in the last output, without the cells of a sheet; arrays as a,b,c.
+# json KEY: the values of that key in the last output, without the cells of a sheet and parts; arrays as a,b,c.
 json() {
-    tr -d '\n\t ' <"$out" | sed 's/"cells":\[.*\],"equation"/"equation"/' |
+    tr -d '\n\t ' <"$out" | sed 's/"cells":\[.*\],"equation"/"equation"/;s/"parts":\[.*\],"plates"/"plates"/' |
         grep -oE "\"$1\":(\"[^\"]*\"|\[[^]]*\]|[^,}]*)" | sed "s/^\"$1\"://" | tr -d '"[]'
 }
 

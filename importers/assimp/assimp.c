@@ -127,10 +127,17 @@ static void for_each_mesh(walk *w, const struct aiNode *node, const struct aiMat
     if (depth > DEPTH_MAX) {
         importer_fail(BURNISH_BMS_LIMIT_ERROR, "its nodes are nested deeper than 500");
     }
+    const uint64_t before = w->triangles;
+    const char *name = node->mName.data;
     for (unsigned i = 0; i < node->mNumMeshes; ++i) {
         if (node->mMeshes[i] < w->scene->mNumMeshes) {
-            use(w, w->scene->mMeshes[node->mMeshes[i]], &matrix);
+            const struct aiMesh *mesh = w->scene->mMeshes[node->mMeshes[i]];
+            name = *name ? name : mesh->mName.data;
+            use(w, mesh, &matrix);
         }
+    }
+    if (w->mesh->indices) { /* drawing */
+        importer_add_part(w->mesh, name, w->triangles - before);
     }
     for (unsigned i = 0; i < node->mNumChildren; ++i) {
         for_each_mesh(w, node->mChildren[i], &matrix, depth + 1, use);

@@ -17,7 +17,9 @@
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <Standard_Failure.hxx>
+#include <TCollection_AsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
+#include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_ShapeMapHasher.hxx>
@@ -33,6 +35,7 @@
 #include <istream>
 #include <new>
 #include <streambuf>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -91,7 +94,7 @@ using color = Quantity_ColorRGBA;
 struct drawn_face {
     TopoDS_Face face;
     gp_Trsf place;
-    uint32_t material;
+    uint32_t material, part;
 };
 
 struct color_of {
@@ -104,6 +107,7 @@ struct scene {
     std::vector<drawn_face> faces;
     std::vector<importer_material> materials;
     std::unordered_map<uint64_t, uint32_t> numbers; // of materials by their colour
+    std::vector<std::string> parts;                 // names of products, at each place; of each of their solids
     Handle(XCAFDoc_ShapeTool) shapes;
     Handle(XCAFDoc_ColorTool) colors;
 };
@@ -171,11 +175,30 @@ void find_face_colors(const scene &s, const TDF_Label &label, face_colors &color
     }
 }
 
+// The name of a label in UTF-8; "" without one.
+std::string name_of(const TDF_Label &label) {
+    Handle(TDataStd_Name) name;
+    return label.FindAttribute(TDataStd_Name::GetID(), name) ? TCollection_AsciiString(name->Get()).ToCString() : "";
+}
+
 void add_shape(scene &s, const TopoDS_Shape &shape, const gp_Trsf &place, const color_of &inherited,
-               const face_colors &colors) {
+               const face_colors &colors, const std::string &name) {
+    NCollection_DataMap<TopoDS_Shape, int, TopTools_ShapeMapHasher> solids; // of faces
+    int count = 0, last = -1;
+    for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next(), ++count) {
+        for (TopExp_Explorer at(solid.Current(), TopAbs_FACE); at.More(); at.Next()) {
+            solids.Bind(at.Current(), count);
+        }
+    }
     for (TopExp_Explorer at(shape, TopAbs_FACE); at.More(); at.Next()) {
         const color_of *own = colors.Seek(at.Current());
-        s.faces.push_back({TopoDS::Face(at.Current()), place, material_of(s, own ? *own : inherited)});
+        const int *solid = solids.Seek(at.Current());
+        if ((solid ? *solid : count) != last) {
+            last = solid ? *solid : count;
+            s.parts.push_back(name);
+        }
+        s.faces.push_back({TopoDS::Face(at.Current()), place, material_of(s, own ? *own : inherited),
+                           static_cast<uint32_t>(s.parts.size() - 1)});
     }
 }
 
@@ -205,7 +228,7 @@ void add_label(scene &s, const TDF_Label &label, const gp_Trsf &place, const col
     find_face_colors(s, label, colors);
     const color_of own = find_color(s, label);
     add_shape(s, XCAFDoc_ShapeTool::GetShape(label), place,
-              inherited.is_there && depth > 0 ? inherited : own, colors);
+              inherited.is_there && depth > 0 ? inherited : own, colors, name_of(label));
 }
 
 // Distances in proportion to the whole; the angle keeps small round parts round.
@@ -305,7 +328,7 @@ void draw_face(scene &s, const drawn_face &drawn, uint64_t &vertices, uint64_t &
 }
 
 void draw(scene &s) {
-    uint64_t vertices = 0, triangles = 0;
+    uint64_t vertices = 0, triangles = 0, listed = 0;
     size_t missing = 0;
     for (const drawn_face &drawn : s.faces) {
         TopLoc_Location location;
@@ -324,8 +347,12 @@ void draw(scene &s) {
     }
     s.mesh->parts = BURNISH_BMS_NORMALS | BURNISH_BMS_TRIANGLE_MATERIALS;
     importer_allocate(s.mesh);
-    for (const drawn_face &drawn : s.faces) {
-        draw_face(s, drawn, vertices, triangles);
+    for (size_t i = 0; i < s.faces.size(); ++i) {
+        draw_face(s, s.faces[i], vertices, triangles);
+        if (i + 1 == s.faces.size() || s.faces[i + 1].part != s.faces[i].part) {
+            importer_add_part(s.mesh, s.parts[s.faces[i].part].c_str(), triangles - listed);
+            listed = triangles;
+        }
     }
     s.mesh->triangle_count = triangles;
     if (triangles == 0) {
@@ -347,7 +374,7 @@ void draw(scene &s) {
 template <class reader_type> void transfer(scene &s, reader_type &reader, const char *format) {
     Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
     reader.SetColorMode(Standard_True);
-    reader.SetNameMode(Standard_False);
+    reader.SetNameMode(Standard_True);
     reader.SetLayerMode(Standard_False);
     if (!reader.Transfer(document)) {
         fail_reading(format);
@@ -398,7 +425,7 @@ void read_brep(scene &s) {
         fail_reading("BREP");
     }
     tessellate({shape});
-    add_shape(s, shape, gp_Trsf(), {false, color()}, face_colors());
+    add_shape(s, shape, gp_Trsf(), {false, color()}, face_colors(), "");
 }
 
 } // namespace

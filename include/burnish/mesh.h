@@ -202,6 +202,15 @@ typedef struct burnish_load_options {
                               together. A number that the project lacks fails with ARGUMENT; a file
                               without plates ignores it */
     burnish_thumbnail thumbnail; /* AUTO, NEVER or ONLY */
+    const char *hidden_parts;    /* names of burnish_contents.parts to leave out, between commas: *
+                                 is any text in them, ? any byte, and #1 the first part. A name that
+                                 no part has is a warning. NULL: none; no parts: not used */
+    const char *only_parts; /* the same of the parts to keep. NULL: all. If no part has one of the
+                                 names, or nothing is left, loading fails with ARGUMENT. A negative
+                                 volume is kept with the solids that it is subtracted from */
+    double explode; /* [0, 1000]: each part is moved by this times the vector from the middle of all
+                       to its own, both of bounding boxes. Parts with a common negative volume are
+                       moved together, and parts in the middle stay. 0: none */
     uint64_t max_memory; /* bytes for loading and drawing, 0: no limit. By an estimate, for pictures
                             of up to 2048 x 2048 pixels, G-code that needs more is drawn in fewer
                             layers. Other formats ignore it: let the context's allocator fail */
@@ -507,6 +516,7 @@ typedef enum burnish_part_role {
     BURNISH_PART_ENFORCER,  /* demands supports */
     BURNISH_PART_SUPPORT,   /* a support, or another aid: an object that is no model */
     BURNISH_PART_UNPRINTED, /* placed, but not to be printed */
+    BURNISH_PART_HIDDEN,    /* left out by burnish_load_options.hidden_parts or only_parts */
     BURNISH_PART_ROLE_COUNT
 } burnish_part_role;
 
@@ -519,10 +529,12 @@ BURNISH_API const char *burnish_part_role_name(burnish_part_role role);
 /* The most parts that are told apart; the last one stands for all further ones. */
 #define BURNISH_PARTS_MAX 65535
 
-/* A part of a mesh: an object of the file, or one of its volumes, at one of its places. */
+/* A part of a mesh: of 3MF an object or one of its volumes, at one of its places; a node of glTF with
+ * a mesh; of OBJ what has one name (o, or g if less than two are named by o); a solid of an STL file
+ * with several; what an importer names. */
 typedef struct burnish_part {
     char name[BURNISH_NAME_SIZE]; /* may be "" */
-    uint32_t id;                  /* of the object in the file */
+    uint32_t id;                  /* of the object in the file, or its number from 0 */
     uint32_t item; /* of the file, that placed it: negative volumes are subtracted from solids of
                       the same item */
     burnish_part_role role;

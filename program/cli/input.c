@@ -126,7 +126,10 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
                           "INPUT has no variants; omit the flag"};
     needs[4] = (cli_need){"plate", mesh && burnish_mesh_get_contents(mesh)->plate_count > 0,
                           "INPUT has no plates; omit the flag"};
-    needs[5] = (cli_need){
+    needs[5] =
+        (cli_need){"hide,only,explode", mesh && burnish_mesh_get_contents(mesh)->part_count > 0,
+                   "INPUT has no parts; omit the flag"};
+    needs[6] = (cli_need){
         "thumbnail",
         info && (info->format == BURNISH_FORMAT_3MF || info->format == BURNISH_FORMAT_GCODE),
         "only 3MF files and G-code hold pictures of themselves; omit the flag"};
@@ -142,6 +145,23 @@ burnish_status cli_flag_plate(const cli_flag *flag, const char *text, void *targ
     return BURNISH_STATUS_OK;
 }
 
+burnish_status cli_flag_part_names(const cli_flag *flag, const char *text, void *target,
+                                   burnish_error *error) {
+    char *names = target;
+    const size_t used = strlen(names);
+    if (!*text) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: the value is empty: --%s=%s",
+                        flag->name, flag->name, flag->value);
+    }
+    if (used + strlen(text) + 2 > CLI_NAMES_SIZE) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: more than %d bytes of names; use * for several", flag->name,
+                        CLI_NAMES_SIZE - 2);
+    }
+    snprintf(names + used, CLI_NAMES_SIZE - used, "%s%s", used > 0 ? "," : "", text);
+    return BURNISH_STATUS_OK;
+}
+
 burnish_load_options cli_load_options(const cli_input *input) {
     burnish_load_options options = burnish_load_options_default();
     options.format = (burnish_format)input->format;
@@ -154,6 +174,9 @@ burnish_load_options cli_load_options(const cli_input *input) {
     options.variant = input->variant;
     options.root = input->root;
     options.plate = input->plate > 0 ? input->plate : 0;
+    options.hidden_parts = *input->hidden_parts ? input->hidden_parts : NULL;
+    options.only_parts = *input->only_parts ? input->only_parts : NULL;
+    options.explode = input->explode.given ? input->explode.value : 0;
     options.thumbnail = (burnish_thumbnail)input->thumbnail;
     options.ignore_referenced_files = input->no_libraries;
     options.point_size = input->point_size.given ? input->point_size.value : 0;

@@ -36,12 +36,16 @@ size_t cli_stem_length(const char *base);
 /* ARGUMENT for an importer's format, in programs that run no importers; else OK. */
 burnish_status cli_refuse_foreign(int format, burnish_error *error);
 
+enum { CLI_NAMES_SIZE = 1024 }; /* of all names of --hide or --only */
+
 typedef struct cli_input {
     int format; /* burnish_format or cli_foreign */
     int tessellation, strict, no_textures, no_libraries;
     cli_real animation_time;
     const char *animation, *variant, *root;
-    int plate;     /* 0: all; CLI_PLATE_SHEET */
+    int plate;                                                     /* 0: all; CLI_PLATE_SHEET */
+    char hidden_parts[CLI_NAMES_SIZE], only_parts[CLI_NAMES_SIZE]; /* "": not given */
+    cli_real explode;
     int thumbnail; /* burnish_thumbnail */
     cli_real point_size;
     uint64_t max_triangles, max_input_bytes, max_texture_pixels;
@@ -76,10 +80,11 @@ extern const char cli_input_format_manual[];
 extern const cli_word cli_thumbnails[];
 cli_handler cli_flag_input_format;
 cli_handler cli_flag_plate;          /* int in [low, high], "all", or "sheet" */
+cli_handler cli_flag_part_names;     /* char[CLI_NAMES_SIZE]: adds names, between commas */
 cli_handler cli_flag_texture_pixels; /* uint64_t in [low, high], or "auto" */
 
 /* What the flags below need of the input; without a mesh, as if nothing were met. */
-enum { CLI_INPUT_NEEDS = 6 };
+enum { CLI_INPUT_NEEDS = 7 };
 void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEEDS]);
 
 /* The rows; `type` has the cli_input `member`. */
@@ -133,6 +138,34 @@ enum { CLI_PLATE_SHEET = -1 };
         "moved close together. *sheet* draws one labelled picture per plate, in one scale. "       \
         "*burnish info* lists them.",                                                              \
     .handler = cli_flag_plate, .offset = offsetof(type, member.plate)
+
+#define CLI_HIDE_FLAG(type, member)                                                                \
+    .phases = CLI_PHASE_LOAD, .value_type = CLI_TYPE_NAME, .name = "hide", .value = "NAME,...",    \
+    .help = "parts to leave out, such as \"screw*\"", .default_label = "none", .repeats = 1,       \
+    .manual =                                                                                      \
+        "Leaves out the parts of these names before the picture is framed, with the negative "     \
+        "volumes of what is hidden. Parts are objects and volumes of 3MF, nodes of glTF, objects " \
+        "or groups of OBJ, solids of a text STL, and products of STEP; *burnish info* lists "      \
+        "them. In a name an asterisk stands for any text and ? for one byte, also for a comma; "   \
+        "#2 is the second part of the list. A name that no part has is a warning. Can be "         \
+        "repeated.",                                                                               \
+    .handler = cli_flag_part_names, .offset = offsetof(type, member.hidden_parts)
+
+#define CLI_ONLY_FLAG(type, member)                                                                \
+    .phases = CLI_PHASE_LOAD, .value_type = CLI_TYPE_NAME, .name = "only", .value = "NAME,...",    \
+    .help = "leave out all other parts", .default_label = "all", .repeats = 1,                     \
+    .manual = "Draws only the parts of these names, as for *--hide*, with their negative "         \
+              "volumes. It is an error if no part has one of the names. Can be repeated.",         \
+    .handler = cli_flag_part_names, .offset = offsetof(type, member.only_parts)
+
+#define CLI_EXPLODE_FLAG(type, member)                                                             \
+    .phases = CLI_PHASE_LOAD, .name = "explode", .value = "F", .help = "move parts apart",         \
+    .default_text = "0", .low = 0, .high = 1000,                                                   \
+    .manual =                                                                                      \
+        "Moves each part away from the middle of all parts, by _F_ times the vector from there "   \
+        "to its own middle, both of bounding boxes. Parts that a negative volume cuts together "   \
+        "are moved together, and parts around one point stay in each other.",                      \
+    .handler = cli_flag_real, .offset = offsetof(type, member.explode)
 
 #define CLI_THUMBNAIL_FLAG(type, member)                                                           \
     .phases = CLI_PHASE_LOAD, .name = "thumbnail", .value = "WHEN",                                \

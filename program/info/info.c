@@ -80,7 +80,7 @@ static const cli_term json_terms[] = {
     {"*layers*", "of G-code, whose *lines* are the moves with filament and whose *parts* are its "
                  "features; 0 for others"},
     {"*parts*",
-     "of 3MF: name, role (solid, negative volume, modifier, support blocker, support "
+     "name, role (solid, negative volume, modifier, support blocker, support "
      "enforcer, support, not printed), id of the object, item of the build, plate, filament, "
      "number of triangles, size, rows of the matrix that places it. Only solids are drawn and "
      "measured; volumes do not have negative "

@@ -513,9 +513,7 @@ static const cli_flag flags[] = {
          "Draws a hairline along the object's outline where it differs from the background by less "
          "than *N* of 255, so white objects on a white background stay visible. Other pixels keep "
          "their values; 0 draws none. Not drawn on transparent backgrounds."},
-    {.group = "Input and report",
-     .topic = "report",
-     CLI_INPUT_FORMAT_FLAG(render_settings, input.load)},
+    {.group = "Input", .topic = "input", CLI_INPUT_FORMAT_FLAG(render_settings, input.load)},
     {LOAD_FLAG("clip", "X,Y,Z,D", "cut away where X x + Y y + Z z > D; may be repeated",
                render_flag_clip, input.clip),
      .value_type = CLI_TYPE_VECTOR, .not_for = HEIR_COMPARE,
@@ -533,9 +531,8 @@ static const cli_flag flags[] = {
          "Colours the object by values of its vertices instead of its own colours: *height* along "
          "the up axis, *normal* (red, green and blue are the directions X, Y and Z), or a scalar "
          "property of the points or vertices of a PLY, PCD, LAS, XYZ or glTF file, such as "
-         "*intensity* or *_HEAT*; or the "
-         "*part* or *filament* of a print project (3MF, G-code; there *feature* and *tool* are the "
-         "same). Values "
+         "*intensity* or *_HEAT*; or *part*, of files that *--hide* can divide, or *filament* of a "
+         "print project (3MF, G-code; there *feature* and *tool* are the same). Values "
          "are interpolated over triangles and then mapped. A legend shows the range; framing "
          "leaves room for it. Not for *--look=drawing*, which has no colours."},
     {LOAD_FLAG("color-map", "NAME", "map of --color-by", cli_flag_word, input.coloring.map),
@@ -572,13 +569,19 @@ static const cli_flag flags[] = {
     {CLI_ANIMATION_FLAG(render_settings, input.load)},
     {CLI_VARIANT_FLAG(render_settings, input.load)},
     {CLI_PLATE_FLAG(render_settings, input.load)},
+    {CLI_HIDE_FLAG(render_settings, input.load)},
+    {CLI_ONLY_FLAG(render_settings, input.load)},
+    {CLI_EXPLODE_FLAG(render_settings, input.load)},
     {CLI_THUMBNAIL_FLAG(render_settings, input.load)},
     {CLI_POINT_SIZE_FLAG(render_settings, input.load)},
     {CLI_STRICT_FLAG(render_settings, input.load)},
     {CLI_NO_TEXTURES_FLAG(render_settings, input.load)},
     {CLI_NO_LIBRARIES_FLAG(render_settings, input.load)},
     {CLI_ROOT_FLAG(render_settings, input.load), .not_for = HEIR_REQUEST | HEIR_SERVE},
-    {CLI_MAX_TRIANGLES_FLAG(render_settings, input.load), .not_for = HEIR_REQUEST},
+    {.group = "Limits and report",
+     .topic = "report",
+     CLI_MAX_TRIANGLES_FLAG(render_settings, input.load),
+     .not_for = HEIR_REQUEST},
     {CLI_MAX_TEXTURE_PIXELS_FLAG(render_settings, input.load), .not_for = HEIR_REQUEST},
     {CLI_MAX_INPUT_BYTES_FLAG(render_settings, input.load), .not_for = HEIR_REQUEST},
     {CLI_FLAG("max-overdraw", "N", "limit on large triangles", cli_flag_real, job.max_overdraw),

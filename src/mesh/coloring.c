@@ -247,9 +247,10 @@ static burnish_status check_coloring(const burnish_mesh *mesh, const burnish_col
     if (status == BURNISH_STATUS_OK &&
         ((coloring->source == BURNISH_COLOR_BY_PART && mesh->contents.part_count == 0) ||
          (coloring->source == BURNISH_COLOR_BY_FILAMENT && mesh->contents.filament_count == 0))) {
-        status = burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                              "colours: the mesh has no %s; only print projects have them",
-                              coloring->source == BURNISH_COLOR_BY_PART ? "parts" : "filaments");
+        status = burnish_fail(error, BURNISH_STATUS_ARGUMENT, "colours: the mesh has no %s",
+                              coloring->source == BURNISH_COLOR_BY_PART
+                                  ? "parts; only files that name several objects have them"
+                                  : "filaments; only print projects have them");
     }
     return status;
 }

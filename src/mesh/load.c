@@ -8,6 +8,7 @@
 #include "base/inputs.h"
 #include "base/platform.h"
 #include "core/float_mode.h"
+#include "mesh/arrange_parts.h"
 #include "mesh/build/build.h"
 #include "mesh/builtin.h"
 #include "mesh/read/archive.h"
@@ -333,6 +334,9 @@ static burnish_status load_input(const burnish_reader_input *input, burnish_form
     burnish_archive_close(&archive);
     burnish_release(context, bytes);
     burnish_release(context, owned);
+    if (status == BURNISH_STATUS_OK && !*again) {
+        status = burnish_arrange_parts(&data, unpacked.name, input->options, error);
+    }
     if (status == BURNISH_STATUS_OK && !*again) {
         data.start = start;
         data.crowded_max = burnish_budget_crowded(&reader);

@@ -121,7 +121,7 @@ for shell in bash zsh; do
 done
 if has "syntax of zsh" zsh; then
     check "zsh: $(zsh -n burnish.zsh 2>&1)" zsh -n burnish.zsh
-    check "zsh: no topics" grep -q -- "--help=-.*picture files camera light report all" burnish.zsh
+    check "zsh: no topics" grep -q -- "--help=-.*picture files camera light input report all" burnish.zsh
 fi
 if has "completion of fish" fish; then
     check "fish: $(fish --no-execute burnish.fish 2>&1)" fish --no-execute burnish.fish

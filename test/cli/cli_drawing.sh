@@ -19,7 +19,7 @@ VALUES = {
 }
 UNTRIED = set("""output output-dir recursive files-from columns labels font no-labels output-format turntable camera
     environment-strength environment-turn center-lines input-format color-map color-range no-legend normals crease-angle
-    animation-time animation variant plate thumbnail point-size no-libraries root sandbox reference reference-threshold reference-difference look""".split())
+    animation-time animation variant plate hide only explode thumbnail point-size no-libraries root sandbox reference reference-threshold reference-difference look""".split())
 def value(flag):
     if flag["type"] == "switch" or flag["optional"]:
         return None
@@ -189,6 +189,7 @@ useless light=file 'INPUT has no lights; omit the flag' --light=file part.obj
 useless animation 'only glTF files have animations; omit the flag' --animation=walk part.obj
 useless variant 'INPUT has no variants; omit the flag' --variant=red part.obj
 useless plate 'INPUT has no plates; omit the flag' --plate=2 part.obj
+useless hide 'INPUT has no parts; omit the flag' --hide=a part.obj
 useless thumbnail 'only 3MF files and G-code hold pictures of themselves; omit the flag' --thumbnail=only part.obj
 useless animation-time 'only glTF files have animations; omit the flag' --animation-time=3 part.obj
 useless tessellation 'only built-in objects such as :teapot have patches; omit the flag' --tessellation=3 part.obj

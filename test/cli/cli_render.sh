@@ -111,6 +111,29 @@ for value in 0,0,1 0,0,0,1 0,0,1,1,1 a,b,c,d 0,0,1,nan 0,0,1,-9 ''; do
 done
 gives 2 render :sphere --size=64 --clip=1,0,0,1 --clip=1,0,0,1 --clip=1,0,0,1 --clip=1,0,0,1 --clip=1,0,0,1 --clip=1,0,0,1 --clip=1,0,0,1 -o cut.png  # seven planes
 
+# Parts: left out as if the file did not have them, and moved as if they were there.
+part() { # NAME X Y Z SIDE
+    awk -v o="$2 $3 $4" -v s="$5" 'BEGIN { split(o, at)
+        for (i = 0; i < 8; ++i) print "v", at[1] + i % 2 * s, at[2] + int(i / 2) % 2 * s, at[3] + int(i / 4) * s }'
+    echo "o $1"
+    printf 'f %s\n' '-8 -6 -5 -7' '-4 -3 -1 -2' '-8 -7 -3 -4' '-6 -2 -1 -5' '-8 -4 -2 -6' '-7 -5 -1 -3'
+}
+{ part base 0 0 0 2; part lid 2 0 0 2; } >two.obj
+{ part base 0 0 0 2; part lid 2 0 0 2; part screw.1 8 1 1 1; } >three.obj
+{ part base -3 0 0 2; part lid 5 0 0 2; } >apart.obj
+two=$(hash two.obj --size=64)
+same "--hide" "$(hash three.obj --size=64 '--hide=s?rew*')" "$two"
+same "--only" "$(hash three.obj --size=64 --only=base --only=lid)" "$two"
+same "--explode" "$(hash two.obj --size=64 --explode=3)" "$(hash apart.obj --size=64)"
+check "a part has its colour" [ "$(hash two.obj --size=64 --color-by=part --no-legend)" != "$two" ]
+gives 0 render three.obj --size=16 --hide=screw -o a.png
+check "no such name: $(cat "$err")" grep -qx 'burnish: warning: three.obj: no part is named "screw"; there is "screw.1" and 2 more' "$err"
+expect 2 'burnish: three.obj: no part is named "axle"; there is "base", "lid", "screw.1"' render three.obj --only=axle -o a.png
+expect 2 'burnish: --hide: more than 1022 bytes of names; use * for several' render three.obj "--hide=$(printf %1023s)"
+gives 2 render three.obj --hide= -o a.png
+run info three.obj
+check "info: $(cat "$out")" grep -qx '  part 3                "screw.1", solid, 1 x 1 x 1' "$out"
+
 # The report.
 run render :teapot --size=64 --occlusion=8 --json -o t.png
 check "JSON is valid" valid_json

@@ -39,7 +39,7 @@ expect 2 'burnish: --labels: 2 labels for 3 cells; use one label per cell, betwe
 # A sheet too large is refused before the input is looked at.
 expect 2 'burnish: sheet: 3 pictures of 16 x 8000 in 1 columns exceed 16384 pixels; use smaller pictures or another number of columns' render none.obj --views=front,top,iso --columns=1 --resolution=16,8000
 expect 2 'burnish: --camera-position: "1e308,0,0" has a number beyond 1e100; give a smaller one' render :sphere --camera-position=1e308,0,0
-expect 2 'burnish: --help: "nonsense" is not one of picture, files, camera, light, report, all' render --help=nonsense
+expect 2 'burnish: --help: "nonsense" is not one of picture, files, camera, light, input, report, all' render --help=nonsense
 for name in picture.bmp out/picture.TIF; do
     expect 2 "burnish: --output: \"$name\": pictures are written as PNG, JPEG, WebP, EXR, NPY, SVG or PDF; end the name in .png, .jpg, .webp, .exr, .npy, .svg or .pdf" render :sphere -o $name
 done

@@ -39,6 +39,9 @@ hash() { # FLAGS
 check "a texture in the file is drawn" [ "$(hash $models/Collada/duck.zae)" != "$(hash $models/Collada/duck.zae --no-textures)" ]
 check "materials have colours" [ "$(hash $models/FBX/cubes_with_names.fbx)" != "$(hash $models/FBX/cubes_with_names.fbx --color=1,1,1)" ]
 
+run info $models/FBX/cubes_with_names.fbx --quiet
+check "parts have the names of nodes: $(cat "$out")" grep -q '^  part 3  *"Cube3", solid' "$out"
+
 # A shininess below 1 is a share of 128, and fainter.
 for shine in 0.125 0; do
     sed '/<shininess/,/<\/shininess/s/>16</>'$shine'</' $models/Collada/cube_UTF8BOM.dae >shine$shine.dae

@@ -76,6 +76,17 @@ static inline void compare_meshes(const char *what, const burnish_mesh_data *a,
     CHECK(same_bytes(a->triangle_materials, b->triangle_materials,
                      a->triangle_count * sizeof(uint16_t)),
           "%s", what);
+    CHECK(a->part_count == b->part_count && same_bytes(a->triangle_parts, b->triangle_parts,
+                                                       a->triangle_count * sizeof(uint16_t)),
+          "%s: %zu %zu parts", what, a->part_count, b->part_count);
+    for (size_t i = 0; i < a->part_count && i < b->part_count; ++i) {
+        const burnish_part *x = &a->parts[i], *y = &b->parts[i];
+        if (!CHECK(strcmp(x->name, y->name) == 0 && x->id == y->id &&
+                       x->triangle_count == y->triangle_count,
+                   "%s: part %zu", what, i)) {
+            break;
+        }
+    }
     CHECK(same_bytes(a->materials, b->materials, a->material_count * sizeof *a->materials), "%s",
           what);
     for (size_t i = 0; i < a->warning_count; ++i) {
@@ -105,6 +116,11 @@ static inline int is_sound(burnish_status status, const burnish_mesh_data *s,
     }
     for (size_t i = 0; s->triangle_materials && i < s->triangle_count; ++i) {
         if (s->triangle_materials[i] >= s->material_count) {
+            return 0;
+        }
+    }
+    for (size_t i = 0; s->triangle_parts && i < s->triangle_count; ++i) {
+        if (s->triangle_parts[i] >= s->part_count) {
             return 0;
         }
     }

@@ -119,6 +119,9 @@ class Pictures(unittest.TestCase):
         ):
             with self.subTest(options):
                 self.assertEqual(burnish.render(DATA / "cube.obj", size=64, **options).hash, ask("cube.obj", "--size=64", *flags)["hash"])
+        Path("parts.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no a\nf 1 2 3\no b\nf 1 3 4\no c\nf 1 2 4\n")
+        picture = burnish.render("parts.obj", size=64, hide=["a", "c*"], explode=0.5)
+        self.assertEqual(picture.hash, ask("parts.obj", "--size=64", "--only=b", folder=".")["hash"])
         for options in ({"views": ["front", "top"]}, {"lobe": ["power", "schlick"]}):
             with self.assertRaisesRegex(burnish.Error, "one picture at a time"):
                 burnish.render(":knot", **options)

@@ -2,7 +2,20 @@
 #ifndef BURNISH_MESH_DATA_BOX_H
 #define BURNISH_MESH_DATA_BOX_H
 
+#include <float.h>
+
 #include "burnish/mesh.h"
+
+static inline burnish_box burnish_box_none(void) {
+    return (burnish_box){{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
+}
+
+static inline void burnish_box_extend(burnish_box *box, const float p[3]) {
+    for (int k = 0; k < 3; ++k) {
+        box->low[k] = p[k] < box->low[k] ? p[k] : box->low[k];
+        box->high[k] = p[k] > box->high[k] ? p[k] : box->high[k];
+    }
+}
 
 static inline int burnish_box_holds(const burnish_box *box, const float p[3]) {
     return p[0] >= box->low[0] && p[0] <= box->high[0] && p[1] >= box->low[1] &&

@@ -35,6 +35,19 @@ void burnish_load_options_init(burnish_load_options *options, uint64_t layout) {
     burnish_layout_init(options, layout, BURNISH_LAYOUT(burnish_load_options), &defaults);
 }
 
+static burnish_status check_limits(const burnish_load_options *options, burnish_error *error) {
+    if (options->max_triangles > BURNISH_TRIANGLES_MAX) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "options: max_triangles %llu is more than %u",
+                            (unsigned long long)options->max_triangles, BURNISH_TRIANGLES_MAX);
+    }
+    if (options->threads < 0 || options->threads > BURNISH_THREADS_MAX) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "options: threads %d is not in [0, %d]",
+                            options->threads, BURNISH_THREADS_MAX);
+    }
+    return BURNISH_STATUS_OK;
+}
+
 static burnish_status check_options(const burnish_load_options *options, burnish_error *error) {
 #define NAME(name, ...) ", BURNISH_FORMAT_" #name
     static const char names[] = "BURNISH_FORMAT_AUTO" BURNISH_FORMAT_LIST(NAME);
@@ -66,6 +79,10 @@ static burnish_status check_options(const burnish_load_options *options, burnish
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "options: point_size %g is not in [0, 1e30]", options->point_size);
     }
+    if (!(options->explode >= 0 && options->explode <= 1000)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "options: explode %g is not in [0, 1000]", options->explode);
+    }
     if (options->tessellation < 1 || options->tessellation > 256) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "options: tessellation %d is not in [1, 256]", options->tessellation);
@@ -83,16 +100,7 @@ static burnish_status check_options(const burnish_load_options *options, burnish
                                 "options: origin %g is not in [-1e30, 1e30]", options->origin[k]);
         }
     }
-    if (options->max_triangles > BURNISH_TRIANGLES_MAX) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                            "options: max_triangles %llu is more than %u",
-                            (unsigned long long)options->max_triangles, BURNISH_TRIANGLES_MAX);
-    }
-    if (options->threads < 0 || options->threads > BURNISH_THREADS_MAX) {
-        return burnish_fail(error, BURNISH_STATUS_ARGUMENT, "options: threads %d is not in [0, %d]",
-                            options->threads, BURNISH_THREADS_MAX);
-    }
-    return BURNISH_STATUS_OK;
+    return check_limits(options, error);
 }
 
 burnish_status burnish_check_load(const burnish_load_options *options, burnish_mesh **mesh,
@@ -277,22 +285,18 @@ const burnish_mesh *burnish_mesh_get_negatives(const burnish_mesh *mesh) {
 const char *burnish_part_role_name(burnish_part_role role) {
     static const char *const names[BURNISH_PART_ROLE_COUNT] = {
         "solid",   "negative volume", "modifier", "support blocker", "support enforcer",
-        "support", "not printed"};
+        "support", "not printed",     "hidden"};
     return role < BURNISH_PART_ROLE_COUNT ? names[role] : NULL;
 }
 
 void burnish_mesh_bound_parts(const burnish_mesh *mesh, burnish_box *boxes) {
     const burnish_mesh_view *view = &mesh->view;
     for (size_t i = 0; i < mesh->contents.part_count; ++i) {
-        boxes[i] = (burnish_box){{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
+        boxes[i] = burnish_box_none();
     }
     for (size_t i = 0; i < 3 * view->triangle_count && mesh->contents.part_count > 0; ++i) {
-        burnish_box *box = &boxes[view->triangle_parts ? view->triangle_parts[i / 3] : 0];
-        const float *p = view->positions + 3 * (size_t)view->indices[i];
-        for (int k = 0; k < 3; ++k) {
-            box->low[k] = p[k] < box->low[k] ? p[k] : box->low[k];
-            box->high[k] = p[k] > box->high[k] ? p[k] : box->high[k];
-        }
+        burnish_box_extend(&boxes[view->triangle_parts ? view->triangle_parts[i / 3] : 0],
+                           view->positions + 3 * (size_t)view->indices[i]);
     }
 }
 

@@ -11,6 +11,7 @@
 #include "core/vec3.h"
 #include "mesh/data/material.h"
 #include "mesh/read/common/local_origin.h"
+#include "mesh/read/common/parts.h"
 #include "mesh/read/common/points.h"
 #include "mesh/read/common/textures.h"
 
@@ -29,7 +30,8 @@ typedef struct bms_state {
     const uint8_t *next; /* the unread rest */
     size_t vertices, triangles, materials, textures, text_size;
     uint32_t parts;
-    int *texture_numbers; /* 1 + the number in the mesh; 0: skipped */
+    int *texture_numbers;    /* 1 + the number in the mesh; 0: skipped */
+    burnish_part_list named; /* parts of the mesh */
 } bms_state;
 
 /* ---- Numbers ---- */
@@ -259,6 +261,34 @@ static burnish_status read_textures(bms_state *s) {
     return status;
 }
 
+/* ---- Parts ---- */
+
+/* Their number, then for each its triangles, which follow those of the part before, and its name. */
+static burnish_status read_parts(bms_state *s) {
+    size_t first = 0;
+    uint32_t left = 0;
+    if (bms_bytes_left(s) >= 4) {
+        left = burnish_load32(s->next);
+        s->next += 4;
+    }
+    for (; left > 0 && bms_bytes_left(s) >= 8; --left) {
+        const uint8_t *head = s->next;
+        const uint32_t triangles = burnish_load32(head), size = burnish_load32(head + 4);
+        s->next += 8;
+        if (padded_size(size) > bms_bytes_left(s) || triangles > s->triangles - first) {
+            return bms_fail(s, head,
+                            "a part extends beyond the stream, or has more triangles than it");
+        }
+        const burnish_part part = burnish_part_of((const char *)s->next, size);
+        burnish_parts_begin(&s->named, &part, first);
+        first += triangles;
+        s->next += padded_size(size);
+    }
+    return left == 0 && first == s->triangles
+               ? s->mesh->memory.status
+               : bms_fail(s, s->next, "the parts do not have all triangles of the stream");
+}
+
 /* ---- Materials ---- */
 
 static void read_color(const uint8_t *at, float color[3]) {
@@ -467,6 +497,9 @@ static burnish_status read_all(bms_state *s) {
     read_text(s);
     burnish_status (*const steps[])(bms_state *) = {read_materials, read_vertices, read_indices};
     status = read_textures(s);
+    if (status == BURNISH_STATUS_OK && s->parts & BURNISH_BMS_NAMED_PARTS) {
+        status = read_parts(s);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = check_rest(s);
     }
@@ -480,9 +513,14 @@ static burnish_status read_all(bms_state *s) {
 }
 
 static burnish_status bms_read(burnish_reader *reader) {
-    bms_state state = {.reader = reader, .mesh = reader->mesh};
+    bms_state state = {
+        .reader = reader, .mesh = reader->mesh, .named = {.memory = &reader->mesh->memory}};
     reader->is_binary = 1;
     burnish_status status = read_all(&state);
+    if (status == BURNISH_STATUS_OK && state.triangles > 0) {
+        status = burnish_parts_finish(&state.named, state.mesh, 1);
+    }
+    burnish_parts_release(&state.named);
     burnish_release(reader->mesh->memory.context, state.texture_numbers);
     if (status == BURNISH_STATUS_OK && state.triangles == 0) {
         status = state.vertices > 0

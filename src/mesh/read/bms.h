@@ -46,7 +46,8 @@ enum {
     BURNISH_BMS_COLORS = 2,
     BURNISH_BMS_TEXCOORDS = 4,
     BURNISH_BMS_TRIANGLE_MATERIALS = 8,
-    BURNISH_BMS_PARTS_ALL = 15
+    BURNISH_BMS_NAMED_PARTS = 16, /* of which triangles consist, with their names */
+    BURNISH_BMS_PARTS_ALL = 31
 };
 
 /* The flags of a material. */

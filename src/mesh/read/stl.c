@@ -8,17 +8,19 @@
 #include <stdio.h>
 
 #include "mesh/read/common/local_origin.h"
+#include "mesh/read/common/parts.h"
 #include "mesh/read/io/parallel_text.h"
 #include "mesh/read/io/streaming.h"
 
 enum { LOOKED_AT = 512 };
 
 /* Events, in the order of the file. */
-enum { NORMAL, EXTRA, END, AFTER, BEFORE, SPLIT, CORNERS, NOTE_COUNT };
+enum { NORMAL, EXTRA, END, AFTER, BEFORE, SPLIT, CORNERS, NOTE_COUNT, SOLID = NOTE_COUNT };
 
 typedef struct stl_state {
     burnish_reader *reader;
     burnish_warning_group groups[NOTE_COUNT];
+    burnish_part_list parts; /* the solids */
 } stl_state;
 
 typedef struct stl_parser {
@@ -252,6 +254,9 @@ static void stl_parse(const void *state, burnish_chunk *chunk) {
             if (begins && in_solid) {
                 burnish_chunk_note(chunk, END, word.bytes);
             }
+            if (begins) {
+                burnish_chunk_note(chunk, SOLID, stl.lexer.next);
+            }
             in_solid = begins;
             seen = 1;
         } else if (!seen && *word.bytes == '#') {
@@ -279,6 +284,14 @@ static const uint8_t *stl_find_facet(const uint8_t *from, const uint8_t *end) {
     return end;
 }
 
+static void begin_solid(stl_state *stl, const burnish_chunk *chunk,
+                        const burnish_chunk_event *event) {
+    burnish_lexer lexer = {event->at, chunk->text_end, 0};
+    const burnish_token name = burnish_lexer_rest(&lexer);
+    const burnish_part part = burnish_part_of((const char *)name.bytes, name.size);
+    burnish_parts_begin(&stl->parts, &part, chunk->triangles_before + event->triangle);
+}
+
 static burnish_status stl_accept(void *state, const burnish_chunk *chunk) {
     static const char *const warnings[] = {[NORMAL] = "a normal is not 3 numbers; it was ignored",
                                            [EXTRA] = "text in a facet's line was ignored",
@@ -290,10 +303,14 @@ static burnish_status stl_accept(void *state, const burnish_chunk *chunk) {
     stl_state *stl = state;
     for (size_t i = 0; i < chunk->event_count; ++i) {
         const burnish_chunk_event *event = &chunk->events[i];
-        burnish_reader_note(stl->reader, &stl->groups[event->kind], event->at, "%s",
-                            warnings[event->kind]);
+        if (event->kind == SOLID) {
+            begin_solid(stl, chunk, event);
+        } else {
+            burnish_reader_note(stl->reader, &stl->groups[event->kind], event->at, "%s",
+                                warnings[event->kind]);
+        }
     }
-    return BURNISH_STATUS_OK;
+    return stl->parts.memory->status;
 }
 
 static burnish_status stl_read_text(burnish_reader *reader) {
@@ -303,12 +320,16 @@ static burnish_status stl_read_text(burnish_reader *reader) {
                                             .indexed = 1u << BURNISH_POSITION};
     const uint8_t *at =
         burnish_lexer_open(reader->input->bytes, burnish_reader_head(reader), 0).next;
-    stl_state stl = {.reader = reader};
+    stl_state stl = {.reader = reader, .parts = {.memory = &reader->mesh->memory}};
     reader->is_wide = 1;
     burnish_status status = burnish_chunks_read(&grammar, &stl, reader, &at, NULL);
     for (size_t i = 0; i < sizeof stl.groups / sizeof *stl.groups; ++i) {
         burnish_reader_warn_group(reader, &stl.groups[i]);
     }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_parts_finish(&stl.parts, reader->mesh, 2);
+    }
+    burnish_parts_release(&stl.parts);
     return status;
 }
 

@@ -141,6 +141,40 @@ static void test_negatives(void) {
     }
 }
 
+/* They are left out with their solids or alone, and moved with their solids. */
+static void test_parts_with_negatives(void) {
+    static const struct {
+        const char *hidden, *only;
+        double explode;
+        float low, high, negative; /* bounds; 99: there is none */
+    } rows[] = {{NULL, NULL, 0, 0, 32, 9},   {NULL, "#1", 0, 0, 2, 9},
+                {"#2", NULL, 0, 0, 32, 99},  {"#1", NULL, 0, 30, 32, 99},
+                {NULL, "#3", 0, 30, 32, 99}, {NULL, NULL, 1, -15, 47, -6},
+                {"#2", NULL, 1, -15, 47, 99}};
+    zip_list *zip = begin_project(
+        MODEL(OBJECT("1", "model") "<object id='2'><components><component objectid='1'/><component "
+                                   "objectid='1'" AT("9", "0") "</components></object>",
+              "<item objectid='2'/><item objectid='1'" AT("30", "0")),
+        "<config><object id='2'><part id='1'/><part id='1' "
+        "subtype='negative_part'/></object></config>",
+        NULL);
+    end_zip(zip, 0);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
+        burnish_load_options options = burnish_load_options_default();
+        options.hidden_parts = rows[i].hidden;
+        options.only_parts = rows[i].only;
+        options.explode = rows[i].explode;
+        OWNED_MESH *mesh = load_bytes(zip->bytes, zip->size, NULL, &options);
+        const burnish_mesh *negatives = burnish_mesh_get_negatives(mesh);
+        const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+        const float low = negatives ? burnish_mesh_get_view(negatives)->bounds_min[0] : 99;
+        CHECK(mesh && view->bounds_min[0] == rows[i].low && view->bounds_max[0] == rows[i].high &&
+                  low == rows[i].negative,
+              "%zu: %g to %g, negative from %g", i, (double)view->bounds_min[0],
+              (double)view->bounds_max[0], (double)low);
+    }
+}
+
 /* Settings that can't be read do no harm, and colours of the model go first. */
 static void test_other_settings(void) {
     read_project(MODEL("<object id='1'>" MESH "</object>", ITEM_1), "<config><object></config>",
@@ -482,6 +516,7 @@ int main(int count, char **arguments) {
         RUN(test_undrawn());
         RUN(test_heights());
         RUN(test_triangle_parts());
+        RUN(test_parts_with_negatives());
         RUN(test_thumbnail());
     }
     return test_end("3mf_project");

@@ -62,7 +62,8 @@ static stream make(const char *text) {
     static const uint8_t texels[4 * TEXELS] = {255, 0, 0, 255, 0, 255, 0, 255,
                                                0,   0, 9, 255, 0, 0,   0, 128};
     const uint32_t text_size = (uint32_t)strlen(text);
-    const uint32_t numbers_of[6] = {VERTICES, TRIANGLES, 2, 1, BURNISH_BMS_PARTS_ALL, text_size};
+    const uint32_t numbers_of[6] = {
+        VERTICES, TRIANGLES, 2, 1, BURNISH_BMS_PARTS_ALL - BURNISH_BMS_NAMED_PARTS, text_size};
     const uint32_t texture[6] = {BURNISH_BMS_PIXELS, 1, 2, 2, 3, sizeof texels};
     stream s = {.list.size = 0};
     put_head(&s.list, BURNISH_BMS_MESH, numbers_of, up);
@@ -195,7 +196,7 @@ static void test_messages(void) {
          "a: byte 28: more than 10 triangles; raise the limit or simplify the mesh"},
         {BURNISH_BMS_AT_MATERIALS, 65537, "a: byte 32: more than 65536 materials"},
         {BURNISH_BMS_AT_TEXTURES, 65537, "a: byte 36: more than 65536 textures"},
-        {BURNISH_BMS_AT_PARTS, 16, "a: byte 40: an unknown part of a mesh"},
+        {BURNISH_BMS_AT_PARTS, 32, "a: byte 40: an unknown part of a mesh"},
         {BURNISH_BMS_AT_TEXT_SIZE, 65537, "a: byte 44: more than 65536 bytes of text"},
         {BURNISH_BMS_AT_UP, 0x7f800000, "a: byte 48: the up axis is not finite"},
         {s.textures_at, 3,
@@ -223,6 +224,48 @@ static void test_messages(void) {
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         check_damage(s, &cases[i]);
+    }
+}
+
+/* The stream with words as its named parts. */
+static byte_list with_parts(const uint32_t *words, size_t count) {
+    const stream s = make("");
+    byte_list list = {.size = 0};
+    put(&list, s.list.bytes, s.materials_at);
+    put_words(&list, words, count);
+    put(&list, s.list.bytes + s.materials_at, s.list.size - s.materials_at);
+    list.bytes[BURNISH_BMS_AT_PARTS] |= BURNISH_BMS_NAMED_PARTS;
+    close_stream(&list);
+    return list;
+}
+
+static void test_named_parts(void) {
+    const uint32_t good[] = {3, 1, 1, 'a', 0, 0, 1, 2, 'b' + 256 * 'c'};
+    const byte_list list = with_parts(good, 9);
+    OWNED_MESH *mesh = load(&list, NULL);
+    const burnish_contents *c = burnish_mesh_get_contents(mesh);
+    CHECK1(c && c->part_count == 2 && strcmp(c->parts[1].name, "bc") == 0 &&
+           c->parts[1].triangle_count == 1 && burnish_mesh_get_view(mesh)->triangle_parts);
+    const struct {
+        uint32_t words[6];
+        size_t count;
+        const char *message;
+    } bad[] = {
+        {{1, 3, 0},
+         3,
+         "a: byte 112: a part extends beyond the stream, or has more triangles than it"},
+        {{1, 2, 999},
+         3,
+         "a: byte 112: a part extends beyond the stream, or has more triangles than it"},
+        {{1, 1, 0}, 3, "a: byte 120: the parts do not have all triangles of the stream"},
+        {{1, 2, 0, 0},
+         4,
+         "a: byte 120: 468 bytes are left for materials, vertices and triangles, which need 464; "
+         "the stream is damaged"}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; ++i) {
+        const byte_list damaged = with_parts(bad[i].words, bad[i].count);
+        check_refused(damaged.bytes, damaged.size, "a", NULL, BURNISH_STATUS_FORMAT,
+                      bad[i].message);
     }
 }
 
@@ -262,6 +305,7 @@ int main(int count, char **arguments) {
     RUN(test_all_parts());
     RUN(test_least());
     RUN(test_messages());
+    RUN(test_named_parts());
     RUN(test_errors());
     RUN(test_textures());
     return test_end("bms");

@@ -75,7 +75,7 @@ void burnish_drop_points(burnish_reader *reader) {
     }
 }
 
-static void keep_triangle(burnish_mesh_data *mesh, size_t from, size_t to) {
+void burnish_keep_triangle(burnish_mesh_data *mesh, size_t from, size_t to) {
     for (int k = 0; k < BURNISH_ATTRIBUTE_COUNT; ++k) {
         uint32_t *corners = mesh->streams[k].corners;
         if (corners) {
@@ -94,7 +94,7 @@ static void drop_triangles(burnish_mesh_data *mesh) {
     size_t kept = 0;
     for (size_t i = 0; i < mesh->triangle_count; ++i) {
         if (is_good_triangle(mesh, i)) {
-            keep_triangle(mesh, i, kept++);
+            burnish_keep_triangle(mesh, i, kept++);
         }
     }
     mesh->triangle_count = kept;

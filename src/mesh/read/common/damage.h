@@ -13,6 +13,9 @@ int burnish_is_good_position(const burnish_mesh_data *mesh, uint32_t corner);
 /* Moves positions that are not finite to one that is. Nothing may use them. */
 void burnish_fill_positions(burnish_mesh_data *mesh);
 
+/* Copies a triangle to another place, with all that is stored per triangle. */
+void burnish_keep_triangle(burnish_mesh_data *mesh, size_t from, size_t to);
+
 /* Gives all corners of polygons with a bad corner the position BURNISH_NONE. Call it before polygons
  * are cut. */
 void burnish_mark_damage(burnish_reader *reader);

@@ -259,6 +259,9 @@ void burnish_gltf_compose(const double translation[3], const double rotation[4],
 /* A file's matrix, column after column of four, as rows of a 3 x 4 one. */
 void burnish_gltf_transpose(const double columns[16], double matrix[12]);
 
+/* The part that a node with a mesh is. */
+burnish_part burnish_gltf_part_of(burnish_gltf *gltf, uint32_t node);
+
 /* Fills gltf->nodes: the matrices, and what is drawn. */
 void burnish_gltf_place_nodes(burnish_gltf *gltf);
 

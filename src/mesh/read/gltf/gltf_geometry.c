@@ -13,6 +13,7 @@
 #include "mesh/read/common/beside_faces.h"
 #include "mesh/read/common/damage.h"
 #include "mesh/read/common/local_origin.h"
+#include "mesh/read/common/parts.h"
 #include "mesh/read/common/splats.h"
 #include "mesh/read/common/textures.h"
 #include "mesh/read/io/budget.h"
@@ -40,7 +41,8 @@ typedef struct gltf_drawer {
     double base_color[4];      /* of lines and points */
     burnish_segment *segments; /* lines */
     size_t segment_count;
-    int is_beside; /* 1: of a file with triangles, which has drawn those */
+    int is_beside;           /* 1: of a file with triangles, which has drawn those */
+    burnish_part_list parts; /* of triangles, or of lines and points */
 
     const burnish_gltf_primitive *primitive;
     const burnish_gltf_accessor *position, *normal, *tangent, *color, *texcoords[2], *indices,
@@ -528,6 +530,11 @@ static void for_each_instance(gltf_drawer *drawer, const burnish_gltf_node *node
     }
 }
 
+/* Triangles, or else lines and points, that have been drawn. */
+static size_t count_drawn(const gltf_drawer *drawer) {
+    return drawer->mesh->triangle_count + drawer->segment_count;
+}
+
 /* Calls `use` for each primitive of each node that is drawn. */
 static void for_each_primitive(gltf_drawer *drawer, use_primitive *use) {
     burnish_gltf *gltf = drawer->gltf;
@@ -536,6 +543,10 @@ static void for_each_primitive(gltf_drawer *drawer, use_primitive *use) {
         const burnish_gltf_node *node = &gltf->nodes[i];
         if (!node->is_drawn || node->mesh == BURNISH_GLTF_NONE) {
             continue;
+        }
+        if (use == draw_primitive) {
+            const burnish_part part = burnish_gltf_part_of(gltf, (uint32_t)i);
+            burnish_parts_begin(&drawer->parts, &part, count_drawn(drawer));
         }
         const uint32_t instancing = burnish_gltf_extension(gltf, gltf->lists[BURNISH_GLTF_NODES][i],
                                                            "EXT_mesh_gpu_instancing");
@@ -553,6 +564,7 @@ static void release_drawer(gltf_drawer *drawer) {
     burnish_release(context, drawer->slots);
     burnish_release(context, drawer->sources);
     burnish_release(context, drawer->shape.targets);
+    burnish_parts_release(&drawer->parts);
 }
 
 /* segments: lines, and points beside triangles */
@@ -586,6 +598,7 @@ static void reserve_streams(gltf_drawer *drawer, size_t segments) {
 static void draw_all(gltf_drawer *drawer) {
     drawer->mesh->streams[BURNISH_POSITION].count = drawer->mesh->triangle_count = 0;
     drawer->segment_count = 0;
+    burnish_parts_release(&drawer->parts);
     drawer->gltf->reader->damage = (burnish_warning_group){0};
     if (drawer->gltf->status == BURNISH_STATUS_OK) {
         for_each_primitive(drawer, draw_primitive);
@@ -644,12 +657,29 @@ static void make_solids(gltf_drawer *drawer) {
     drawer->mesh->material_count = 1;
 }
 
+/* Lists the parts of lines and points, which have become triangles, equally many each. */
+static void add_parts_beside(gltf_drawer *drawer, burnish_part_list *parts) {
+    const burnish_mesh_data *mesh = drawer->gltf->reader->mesh;
+    const size_t each = mesh->beside_count / drawer->segment_count;
+    const size_t base = mesh->triangle_count - mesh->beside_count;
+    burnish_parts_count(&drawer->parts, count_drawn(drawer));
+    for (size_t i = 0; i < drawer->parts.run_count; ++i) {
+        const burnish_part_run *run = &drawer->parts.runs[i];
+        burnish_part part = drawer->parts.parts[run->part];
+        part.triangle_count = 0;
+        burnish_parts_begin(parts, &part, base + each * run->first_triangle);
+    }
+}
+
 /* Adds the lines and points of a file with triangles. */
-static void add_beside(burnish_gltf *gltf) {
+static void add_beside(burnish_gltf *gltf, burnish_part_list *parts) {
     burnish_mesh_data *mesh = gltf->reader->mesh;
     burnish_mesh_data ends =
         burnish_mesh_data_begin(gltf->memory->context, mesh->tasks, gltf->reader->error);
-    gltf_drawer drawer = {.gltf = gltf, .mesh = &ends, .has = {[BURNISH_POSITION] = 1}};
+    gltf_drawer drawer = {.gltf = gltf,
+                          .mesh = &ends,
+                          .has = {[BURNISH_POSITION] = 1},
+                          .parts = {.memory = gltf->memory, .join = BURNISH_JOIN_IDS}};
     memcpy(ends.origin, mesh->origin, sizeof ends.origin);
     drawer.is_beside = 1;
     for (int kind = BURNISH_GLTF_POINTS; kind <= BURNISH_GLTF_LINES; ++kind) {
@@ -678,14 +708,19 @@ static void add_beside(burnish_gltf *gltf) {
         gltf->status =
             burnish_add_beside(gltf->reader, &ends, drawer.segments, drawer.segment_count);
     }
+    if (gltf->status == BURNISH_STATUS_OK && drawer.segment_count > 0) {
+        add_parts_beside(&drawer, parts);
+    }
     release_drawer(&drawer);
     burnish_mesh_data_destroy(&ends);
 }
 
 void burnish_gltf_read_geometry(burnish_gltf *gltf) {
     const burnish_load_options *options = gltf->reader->input->options;
-    gltf_drawer drawer = {
-        .gltf = gltf, .mesh = gltf->reader->mesh, .has = {[BURNISH_POSITION] = 1}};
+    gltf_drawer drawer = {.gltf = gltf,
+                          .mesh = gltf->reader->mesh,
+                          .has = {[BURNISH_POSITION] = 1},
+                          .parts = {.memory = gltf->memory, .join = BURNISH_JOIN_IDS}};
     choose_kind(&drawer);
     drawer.has[BURNISH_TEXCOORD] &=
         burnish_reader_keeps_coordinates(gltf->reader, drawer.mesh->texture_count > 0);
@@ -717,7 +752,12 @@ void burnish_gltf_read_geometry(burnish_gltf *gltf) {
     if (gltf->status == BURNISH_STATUS_OK && drawer.kind != BURNISH_GLTF_TRIANGLES) {
         make_solids(&drawer);
     } else if (gltf->status == BURNISH_STATUS_OK && !scalar) {
-        add_beside(gltf);
+        burnish_parts_count(&drawer.parts, drawer.mesh->triangle_count);
+        add_beside(gltf, &drawer.parts);
+    }
+    if (drawer.kind == BURNISH_GLTF_TRIANGLES && burnish_gltf_is_fine(gltf)) {
+        burnish_parts_finish(&drawer.parts, drawer.mesh, 1);
+        burnish_gltf_is_fine(gltf);
     }
     release_drawer(&drawer);
 }

@@ -3,6 +3,7 @@
 #include "mesh/read/gltf/gltf.h"
 
 #include "base/elementary.h"
+#include "mesh/read/common/parts.h"
 
 static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 
@@ -136,6 +137,20 @@ static void mark_roots(burnish_gltf *gltf) {
         gltf->nodes[number].is_drawn = 1;
         root = gltf->json.nodes[root].next;
     }
+}
+
+burnish_part burnish_gltf_part_of(burnish_gltf *gltf, uint32_t node) {
+    const uint32_t owners[2] = {gltf->lists[BURNISH_GLTF_NODES][node],
+                                gltf->lists[BURNISH_GLTF_MESHES][gltf->nodes[node].mesh]};
+    char text[128] = "";
+    for (int i = 0; i < 2 && !*text; ++i) {
+        burnish_json_text(&gltf->json, burnish_json_member(&gltf->json, owners[i], "name"), text,
+                          sizeof text);
+    }
+    burnish_part part = burnish_part_of(text, strlen(text));
+    part.id = part.item = node;
+    memcpy(part.transform, gltf->nodes[node].matrix, sizeof part.transform);
+    return part;
 }
 
 static int is_visible(burnish_gltf *gltf, uint32_t value) {

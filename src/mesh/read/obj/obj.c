@@ -2,9 +2,10 @@
  * either end, which may refer to values anywhere in the file.
  *
  * Lines, points, curves, surfaces and statements of other programs are ignored with a warning each;
- * o, g, s and other statements that draw nothing are ignored silently. Vertex colours follow the
+ * s and other statements that draw nothing are ignored silently. Vertex colours follow the
  * coordinates (v x y z r g b). */
 #include "mesh/read/common/damage.h"
+#include "mesh/read/common/parts.h"
 #include "mesh/read/common/points.h"
 #include "mesh/read/common/textures.h"
 #include "mesh/read/common/triangulate.h"
@@ -15,9 +16,10 @@ typedef struct obj_state {
     burnish_reader *reader;
     int with_texcoords;
     burnish_obj_materials materials;
-    size_t triangle;           /* those before it have their run of one material */
-    int has_line_runs;         /* the runs count lines: no face has been seen */
-    burnish_segment *segments; /* of lines, while no face has been seen */
+    burnish_part_list objects, groups; /* by o and by g */
+    size_t triangle;                   /* those before it have their run of one material */
+    int has_line_runs;                 /* the runs count lines: no face has been seen */
+    burnish_segment *segments;         /* of lines, while no face has been seen */
     size_t segment_count, segment_capacity;
     burnish_warning_group elements, few_corners, colors, normals, free_form, unknown;
     size_t highest[BURNISH_ATTRIBUTE_COUNT]; /* index + 1 that a face refers to; SIZE_MAX: to one
@@ -106,6 +108,25 @@ static burnish_status begin_run(obj_state *obj, size_t triangle) {
     return status;
 }
 
+/* Begins the part of an o or g statement. */
+static burnish_status begin_part(obj_state *obj, int kind, burnish_lexer *lexer, size_t triangle) {
+    burnish_part_list *list = kind == BURNISH_OBJ_OBJECT ? &obj->objects : &obj->groups;
+    const burnish_token name = burnish_lexer_rest(lexer);
+    const burnish_part part = burnish_part_of((const char *)name.bytes, name.size);
+    burnish_parts_begin(list, &part, triangle);
+    return list->memory->status;
+}
+
+/* The objects are the parts, or the groups if no two objects have names. */
+static burnish_status finish_parts(obj_state *obj) {
+    const size_t triangles = obj->reader->mesh->triangle_count;
+    const size_t objects = burnish_parts_count(&obj->objects, triangles);
+    const int has_others = objects > 0 && !*obj->objects.parts[0].name;
+    const int by_object =
+        objects > 1 + (size_t)has_others || burnish_parts_count(&obj->groups, triangles) < 2;
+    return burnish_parts_finish(by_object ? &obj->objects : &obj->groups, obj->reader->mesh, 1);
+}
+
 static burnish_status obj_accept(void *state, const burnish_chunk *chunk) {
     obj_state *obj = state;
     burnish_status status = BURNISH_STATUS_OK;
@@ -143,6 +164,10 @@ static burnish_status obj_accept(void *state, const burnish_chunk *chunk) {
         }
         if (event->kind == BURNISH_OBJ_OTHER || event->kind == BURNISH_OBJ_FREE_FORM) {
             note_other(obj, event, &lexer);
+            continue;
+        }
+        if (event->kind == BURNISH_OBJ_OBJECT || event->kind == BURNISH_OBJ_GROUP) {
+            status = begin_part(obj, event->kind, &lexer, triangle);
             continue;
         }
         if (obj->reader->input->streamed) { /* names refer to the input's bytes */
@@ -260,6 +285,9 @@ static burnish_status obj_finish(obj_state *obj) {
     settle_colors(obj);
     burnish_status status = burnish_cut_polygons(obj->reader);
     if (status == BURNISH_STATUS_OK) {
+        status = finish_parts(obj);
+    }
+    if (status == BURNISH_STATUS_OK) {
         status = begin_run(obj, mesh->triangle_count);
     }
     return status == BURNISH_STATUS_OK ? burnish_obj_resolve_materials(&obj->materials) : status;
@@ -289,9 +317,12 @@ static burnish_status obj_read(burnish_reader *reader) {
         .lenient = 1u << BURNISH_NORMAL | 1u << BURNISH_TEXCOORD};
     const size_t head = burnish_reader_head(reader);
     const int has_library = names_library(reader->input->bytes, head);
+    burnish_memory *memory = &reader->mesh->memory;
     obj_state obj = {.reader = reader,
                      .with_texcoords = burnish_reader_keeps_coordinates(reader, has_library),
-                     .materials = {.reader = reader, .changed = 1}};
+                     .materials = {.reader = reader, .changed = 1},
+                     .objects = {.memory = memory, .join = BURNISH_JOIN_NAMES},
+                     .groups = {.memory = memory, .join = BURNISH_JOIN_NAMES}};
     const uint8_t *at = burnish_lexer_open(reader->input->bytes, head, 1).next;
     if (reader->input->streamed && has_library) {
         return burnish_stop_streaming(reader);
@@ -302,7 +333,9 @@ static burnish_status obj_read(burnish_reader *reader) {
         status = obj_finish(&obj);
     }
     burnish_obj_materials_close(&obj.materials);
-    burnish_release(reader->mesh->memory.context, obj.segments);
+    burnish_parts_release(&obj.objects);
+    burnish_parts_release(&obj.groups);
+    burnish_release(memory->context, obj.segments);
     return status;
 }
 

@@ -55,6 +55,8 @@ burnish_status burnish_obj_resolve_materials(burnish_obj_materials *materials);
 enum {
     BURNISH_OBJ_MATERIAL, /* located after usemtl */
     BURNISH_OBJ_LIBRARY,  /* and mtllib */
+    BURNISH_OBJ_OBJECT,   /* located after o */
+    BURNISH_OBJ_GROUP,    /* and g */
     BURNISH_OBJ_ELEMENT,  /* l or p */
     BURNISH_OBJ_FEW_CORNERS,
     BURNISH_OBJ_COLOR,  /* an invalid colour follows a vertex */

@@ -468,7 +468,10 @@ static void read_statement(obj_parser *obj) {
             read_face(obj, keyword.bytes);
         } else if (first == 'l' || first == 'p') {
             burnish_chunk_note(obj->chunk, BURNISH_OBJ_ELEMENT, keyword.bytes);
-        } else if (first != 'o' && first != 'g' && first != 's') {
+        } else if (first == 'o' || first == 'g') {
+            burnish_chunk_note(obj->chunk, first == 'o' ? BURNISH_OBJ_OBJECT : BURNISH_OBJ_GROUP,
+                               obj->lexer.next);
+        } else if (first != 's') {
             burnish_chunk_note(obj->chunk, BURNISH_OBJ_OTHER, keyword.bytes);
         }
     } else if (keyword.size == 2 && first == 'v') {

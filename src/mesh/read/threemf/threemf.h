@@ -20,6 +20,7 @@
 #ifndef BURNISH_MESH_READ_THREEMF_THREEMF_H
 #define BURNISH_MESH_READ_THREEMF_THREEMF_H
 
+#include "mesh/read/common/parts.h"
 #include "mesh/read/io/reader.h"
 #include "mesh/read/io/zip.h"
 
@@ -306,9 +307,6 @@ int burnish_threemf_put_lattice(burnish_threemf *threemf, burnish_threemf_object
 
 /* Reads the files of slicers, and gives the objects their settings. Returns 0 on failure. */
 int burnish_threemf_read_project(burnish_threemf *threemf);
-
-/* Copies a name, or what fits of it. */
-void burnish_threemf_set_name(char to[BURNISH_NAME_SIZE], const char *from);
 
 /* The filament of a part that states this one: the first for a number that does not exist; 0
  * without filaments. */

@@ -217,7 +217,7 @@ static void begin_object(model_state *model, burnish_threemf_xml *xml,
                                      .first_component = (uint32_t)threemf->components.count};
     object.is_model = !type || strcmp(type, "model") == 0 || strcmp(type, "surface") == 0;
     const char *name = burnish_threemf_attribute(attributes, "name");
-    burnish_threemf_set_name(object.name, name ? name : "");
+    burnish_part_set_name(object.name, name ? name : "", name ? strlen(name) : 0);
     object.has_slices = burnish_threemf_prefixed(attributes, "slicestackid") != NULL;
     add_resource(model, xml, BURNISH_THREEMF_OBJECT, threemf->objects.count, attributes);
     burnish_threemf_whole(xml, attributes, "pid", 0, &object.group);

@@ -14,18 +14,6 @@ enum { FILAMENTS_MOST = 255 };
 
 static const char supports[] = "supports that the slicer will make are not drawn";
 
-void burnish_threemf_set_name(char to[BURNISH_NAME_SIZE], const char *from) {
-    size_t size = strlen(from);
-    if (size >= BURNISH_NAME_SIZE) {
-        size = BURNISH_NAME_SIZE - 1;
-        while (size > 0 && ((uint8_t)from[size] & 0xC0) == 0x80) { /* whole characters of UTF-8 */
-            --size;
-        }
-    }
-    memcpy(to, from, size);
-    memset(to + size, 0, BURNISH_NAME_SIZE - size);
-}
-
 /* A whole number of a setting; 0 for anything else. */
 static uint32_t number_of(const char *text) {
     int64_t number;
@@ -71,7 +59,7 @@ static void begin_volume(burnish_threemf *threemf, const char *const *attributes
 
 static void set_volume(burnish_threemf_volume *volume, const char *key, const char *value) {
     if (strcmp(key, "name") == 0) {
-        burnish_threemf_set_name(volume->name, value);
+        burnish_part_set_name(volume->name, value, strlen(value));
     } else if (strcmp(key, "extruder") == 0) {
         volume->filament = number_of(value);
     } else if (strcmp(key, "volume_type") == 0 || strcmp(key, "part_type") == 0) {
@@ -88,7 +76,7 @@ static void set_value(burnish_threemf_xml *xml, const char *key, const char *val
     switch (xml->elements[xml->depth - 1]) {
     case BURNISH_THREEMF_CONFIG_OBJECT:
         if (strcmp(key, "name") == 0) {
-            burnish_threemf_set_name(LAST_OF(&threemf->settings).name, value);
+            burnish_part_set_name(LAST_OF(&threemf->settings).name, value, strlen(value));
         } else if (strcmp(key, "extruder") == 0) {
             LAST_OF(&threemf->settings).filament = number_of(value);
         }
@@ -98,7 +86,7 @@ static void set_value(burnish_threemf_xml *xml, const char *key, const char *val
         break;
     case BURNISH_THREEMF_CONFIG_PLATE:
         if (strcmp(key, "plater_name") == 0) {
-            burnish_threemf_set_name(LAST_OF(&threemf->plates).name, value);
+            burnish_part_set_name(LAST_OF(&threemf->plates).name, value, strlen(value));
         } else if (strcmp(key, "plater_id") == 0) {
             LAST_OF(&threemf->plates).number = (int)(number_of(value) & INT32_MAX);
         }

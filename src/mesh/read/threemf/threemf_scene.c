@@ -250,7 +250,7 @@ static burnish_part part_at(const scene_writer *writer, const scene_place *place
         *end = volume->last < *end ? volume->last + 1 : *end;
     }
     part.filament = (int)burnish_threemf_filament(threemf, filament);
-    burnish_threemf_set_name(part.name, name);
+    burnish_part_set_name(part.name, name, strlen(name));
     return part;
 }
 
