@@ -1,3 +1,3 @@
-/** shaders/burnish.glsl or burnish.wgsl: functions to put before the shader's own. */
+/** Functions in GLSL or WGSL to put before the shader's own. */
 declare const source: string;
 export default source;

@@ -5,7 +5,7 @@ import { checkLobe } from "./fits.js";
 
 const MINIMAX = { 2: [0.355859, 0.2345, 0.104], 4: [0.211335, 0.14, 0.058], 8: [0.114995, 0.0762, 0.031], 16: [0.0599556, 0.0397, 0.016], 32: [0.0306084, 0.0202, 0.008] };
 
-// The same as in shaders/burnish.glsl.
+// The same as in lobe/shaders/burnish.shade.
 const SLOPES = {
   taylor: (n, m) => n.div(m),
   energy: (n, m) => n.add(1).div(m + 1),

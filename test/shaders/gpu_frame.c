@@ -1,4 +1,4 @@
-/* A frame whose points are shaded by lobe/shaders on a Vulkan device: the CPU's hash.
+/* A frame whose points are shaded by the shaders on a Vulkan device: the CPU's hash.
  * Usage: gpu_frame FOLDER, which has light.spv (lobe/test/shaders/gpu.sh) */
 #include "burnish/mesh.h"
 #include "burnish/render.h"

@@ -12,13 +12,14 @@ for tool in python3 glslangValidator; do
 done
 rm -rf "$scratch"
 mkdir -p "$scratch"
+"$lobe/scripts/shaders" "$scratch"
 "$lobe/scripts/shaders" --half "$scratch/half.glsl"
 for shader in cases area sweep light half falloff; do
-    glslangValidator -V --target-env vulkan1.1 -I"$lobe/shaders" -I"$here" -I"$scratch" -o "$scratch/$shader.spv" "$here/$shader.comp"
+    glslangValidator -V --target-env vulkan1.1 -I"$scratch" -I"$here" -o "$scratch/$shader.spv" "$here/$shader.comp"
 done
-glslangValidator -DBURNISH_EXACT -V --target-env vulkan1.1 -I"$lobe/shaders" -o "$scratch/falloff_exact.spv" "$here/falloff.comp"
+glslangValidator -DBURNISH_EXACT -V --target-env vulkan1.1 -I"$scratch" -o "$scratch/falloff_exact.spv" "$here/falloff.comp"
 for shader in cases area; do
-    glslangValidator -D -e main -S comp -V --target-env vulkan1.1 -I"$lobe/shaders" -I"$here" -o "$scratch/${shader}_hlsl.spv" "$here/$shader.hlsl"
+    glslangValidator -D -e main -S comp -V --target-env vulkan1.1 -I"$scratch" -I"$here" -o "$scratch/${shader}_hlsl.spv" "$here/$shader.hlsl"
 done
 
 tried=0

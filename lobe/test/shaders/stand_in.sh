@@ -4,11 +4,14 @@
 set -eu
 test=$1 archives=$2 lobe=$3 scratch=$4
 shift 4
-mkdir -p "$scratch"
+for tool in python3 g++; do
+    command -v "$tool" >/dev/null || { echo "shaders: $tool is missing; run scripts/install-deps shaders"; exit 77; }
+done
+"$lobe/scripts/shaders" "$scratch"
 for language in METAL OSL; do
     # in both languages a literal without a suffix is a float
     g++ -std=c++17 -O1 -ffp-contract=off -fsingle-precision-constant -Wall -Wextra -Werror -Wno-unused-function -D$language \
-        -I"$lobe/test/shaders" -I"$lobe/test/shaders/metal" -I"$lobe/shaders" -I"$lobe/include" -I"$lobe/../base/include" "$@" "$test" $archives -lm \
+        -I"$lobe/test/shaders" -I"$lobe/test/shaders/metal" -I"$scratch" -I"$lobe/include" -I"$lobe/../base/include" "$@" "$test" $archives -lm \
         -o "$scratch/$language"
     "$scratch/$language" "$lobe/test/data/lobes.csv" "$lobe/test/data/area.csv"
 done

@@ -6,7 +6,6 @@
 set -eu
 lobe=$1
 scratch=$2
-shaders=$lobe/shaders
 here=$lobe/test/shaders
 for tool in python3 glslangValidator spirv-val spirv-opt spirv-dis spirv-cross; do
     command -v "$tool" >/dev/null || { echo "shaders: $tool is missing; run scripts/install-deps shaders"; exit 77; }
@@ -14,6 +13,7 @@ done
 rm -rf "$scratch"
 mkdir -p "$scratch"
 cd "$scratch"
+shaders=$PWD/split
 failed=0
 
 # says WHAT COMMAND...: fails with what the command prints.
@@ -45,7 +45,7 @@ hlsl_shader() {
 }
 
 # Every file of one subject alone, with what it includes.
-"$lobe/scripts/shaders" "$PWD/split"
+"$lobe/scripts/shaders" "$shaders"
 for file in $(cd split && find glsl hlsl -type f); do
     language=${file%%/*}
     if [ "$language" = glsl ]; then
