@@ -19,7 +19,7 @@ if(BURNISH_SHARED)
 endif()
 # The static library names the targets of its decoders. find_package() looks for them as this build did.
 set(BURNISH_CONFIG_DECODERS "")
-foreach(name 3MF PNG JPEG WEBP EXR)
+foreach(name 3MF ZSTD PNG JPEG WEBP EXR)
   if(FORMAT_${name}_FOUND)
     string(APPEND BURNISH_CONFIG_DECODERS
            "  pkg_check_modules(FORMAT_${name} QUIET IMPORTED_TARGET GLOBAL ${BURNISH_MODULES_${name}})\n")

@@ -7,6 +7,9 @@
 
 #if BURNISH_HAS_ZSTD
 #include <zstd.h>
+enum { SPZ_NEWEST = 4 };
+#else
+enum { SPZ_NEWEST = 3 };
 #endif
 
 enum { GRAIN = 1 << 12 };
@@ -218,7 +221,7 @@ static burnish_status spz_read(burnish_reader *reader) {
     }
     const uint32_t version = burnish_load32(bytes + 4);
     const size_t count = burnish_load32(bytes + 8), each = version == 3 ? 20 : 19;
-    if (version < 2 || version > 3 + BURNISH_HAS_ZSTD || bytes[13] > FRACTION_MOST) {
+    if (version < 2 || version > SPZ_NEWEST || bytes[13] > FRACTION_MOST) {
         return burnish_reader_fail(
             reader, BURNISH_STATUS_FORMAT, bytes + 4,
             "SPZ of version %u with %d fractional bits is not read%s; export "
