@@ -107,7 +107,8 @@ static const cli_flag flags[] = {
                "are processors. It does not affect the pictures."},
     {CLI_FLAG("max-seconds", "N", "time limit per picture", cli_flag_real, render.job.max_seconds),
      CLI_RANGE(0, 1e6), .default_text = "60", .common = 1,
-     .manual = "An input that takes longer in wall-clock time fails. 0: no limit."},
+     .manual = "An input that takes more processor time fails, or ten times that in wall-clock "
+               "time. 0: no limit."},
     {CLI_FLAG("max-memory", "N", "memory limit per picture, such as 500M", cli_flag_bytes,
               render.job.max_memory),
      CLI_RANGE(1, 9e18), .default_text = "2G", .common = 1,
@@ -381,6 +382,28 @@ static void list_failures(const batch *b) {
     }
 }
 
+/* Warns about pictures of which a warning in their lines says that they hardly show the object. */
+static void warn_illegible(const batch *b) {
+    const char *first = NULL;
+    size_t count = 0;
+    for (size_t i = b->list.count; i-- > 0;) {
+        const batch_item *item = &b->list.items[i];
+        if (item->line && strstr(item->line, "\"legible\":false")) {
+            first = item->output;
+            ++count;
+        }
+    }
+    if (first && !b->settings->render.job.quiet) {
+        burnish_error text;
+        cli_fail(&text, BURNISH_STATUS_OK,
+                 "%zu of %zu pictures are blank, nearly black, like their background, or specks, "
+                 "such as %.200s; %s for the reason",
+                 count, b->list.count, first,
+                 b->report ? "see its line in the report" : "draw it alone");
+        cli_warn(text.text);
+    }
+}
+
 static void print_summary(const batch *b, double seconds) {
     const size_t drawn = b->done - b->kept - b->failed;
     if (b->is_stopped) {
@@ -483,6 +506,7 @@ static burnish_status draw_all(batch *b, batch_settings *settings, const cli_cal
     if (status == BURNISH_STATUS_OK) {
         batch_warn_inputs(b);
         list_failures(b);
+        warn_illegible(b);
         print_summary(b, burnish_seconds_now() - start);
         status = warn_useless(b, 1, error);
     }

@@ -1,6 +1,7 @@
 /* Finds the input files. */
 #include "batch/inputs.h"
 #include "base/cli/platform.h"
+#include "base/inputs.h"
 #include "batch/batch.h"
 #include "batch/types.h"
 #include "cli/input.h"
@@ -45,7 +46,7 @@ static burnish_status add_item(batch_items *list, const char *input, size_t tree
 
 typedef enum file_kind {
     FILE_OTHER,
-    FILE_MESH, /* the extension of a reader or of an installed importer, with or without .gz */
+    FILE_MESH, /* the extension of a reader or of an installed importer, with or without .gz, or .zip */
     FILE_PASSED_OVER /* a mesh extension, but other content */
 } file_kind;
 
@@ -54,7 +55,9 @@ static file_kind kind_of(const char *name, const char *path) {
     if (importer && import_is_installed(importer)) {
         return import_may_hold_mesh(path) ? FILE_MESH : FILE_PASSED_OVER;
     }
-    return cli_is_own_mesh_name(name) ? FILE_MESH : FILE_OTHER;
+    const size_t size = strlen(name);
+    const int is_archive = size > 4 && burnish_is_same_name(name + size - 4, ".zip");
+    return is_archive || cli_is_own_mesh_name(name) ? FILE_MESH : FILE_OTHER;
 }
 
 static int is_shown(const struct dirent *entry) {

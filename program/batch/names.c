@@ -6,8 +6,10 @@
 #include <xxhash.h>
 
 #include "base/cli/platform.h"
+#include "base/inputs.h"
 #include "batch/batch.h"
 #include "batch/types.h"
+#include "cli/input.h"
 #include "render/scene/cameras.h"
 
 const char *batch_view_name(const batch *b, const batch_item *item) {
@@ -43,11 +45,21 @@ typedef struct parts {
     size_t folder_size, model_size;
 } parts;
 
+/* The length of the folders of an input; a file in an archive is in the archive's folder. */
+static size_t folder_length(const char *input) {
+    const char *member = burnish_archive_member(input);
+    size_t length = (size_t)((member ? member : cli_base_name(input)) - input);
+    while (member && length > 0 && input[length - 1] != '/') {
+        --length;
+    }
+    return length;
+}
+
 static parts split_path(const batch_item *item) {
     const char *input = item->input;
     const size_t tree = *input == ':' ? 1 : item->level >= LEVEL_FOLDERS ? 0 : item->tree;
-    parts p = {.folder = input + tree, .model = *input == ':' ? input + 1 : cli_base_name(input)};
-    p.folder_size = p.model > p.folder ? (size_t)(p.model - p.folder) : 0;
+    parts p = {.folder = input + tree, .model = cli_model_name(input)};
+    p.folder_size = folder_length(input) > tree ? folder_length(input) - tree : 0;
     p.model_size = cli_stem_length(p.model);
     p.extension = p.model[p.model_size] ? p.model + p.model_size + 1 : "";
     return p;

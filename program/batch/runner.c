@@ -46,7 +46,7 @@ typedef struct facts {
     double volume, area;
     uint64_t open_edges, shells;
     int32_t is_measured, is_closed, is_solid;
-    int32_t is_drawn, format, width, height, is_blank;
+    int32_t is_drawn, format, width, height, is_blank, is_legible;
     uint32_t warning_count, unmet, plate_count, filament_count;
     struct {
         int32_t number, is_used;
@@ -200,6 +200,7 @@ static void record_result(void *context, const render_result *result) {
     f->width = result->picture->width;
     f->height = result->picture->height;
     f->is_blank = result->blank_cells > 0;
+    f->is_legible = result->faulty_cells == 0;
     float low[3], high[3];
     burnish_mesh_get_bounds(result->mesh, low, high);
     for (int k = 0; k < 3; ++k) {
@@ -245,6 +246,7 @@ static burnish_status run_plainly(const runner *r, render_settings *settings, in
                                   burnish_error *ended, burnish_error *error) {
     const pid_t worker = cli_fork(&(cli_plan){.ended_by = SIGKILL});
     if (worker == 0) {
+        cli_limit_worker(settings->job.max_seconds.value);
         draw(r, settings);
     }
     if (worker < 0) {
@@ -286,10 +288,8 @@ static burnish_status run_worker(const runner *r, render_settings *settings, fil
     *is_late =
         status == BURNISH_STATUS_OK && settings->job.max_seconds.value > 0 && cli_child_was_late();
     if (*is_late) {
-        status = cli_fail(&error, BURNISH_STATUS_LIMIT,
-                          "%.300s: not done after %g seconds (--max-seconds): raise the limit or "
-                          "simplify the mesh",
-                          settings->input.name, settings->job.max_seconds.value);
+        cli_fail_late(cli_child_was_late(), settings->job.max_seconds.value, &ended);
+        status = cli_fail(&error, ended.status, "%.300s: %s", settings->input.name, ended.text);
     } else if (status == BURNISH_STATUS_OK && ended.text[0]) {
         status = cli_fail(&error, ended.status, "%.150s: %.300s", settings->input.name, ended.text);
     }
@@ -460,6 +460,7 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
     cli_json_add(object, "width", cJSON_CreateNumber(f->width), &failed);
     cli_json_add(object, "height", cJSON_CreateNumber(f->height), &failed);
     cli_json_add(object, "blank", cJSON_CreateBool(f->is_blank != 0), &failed);
+    cli_json_add(object, "legible", cJSON_CreateBool(f->is_legible != 0), &failed);
     add_warnings(object, f, &failed);
     if (seen->count > 0) {
         cli_json_add(object, "files", cli_json_texts(seen->count, seen->names), &failed);

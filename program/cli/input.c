@@ -1,6 +1,7 @@
 /* Input flags of the commands that load a mesh. */
 #include "cli/input.h"
 #include "base/cli/platform.h"
+#include "base/inputs.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -65,6 +66,11 @@ int cli_is_mesh_name(const char *name) {
         }
     }
     return cli_is_own_mesh_name(name);
+}
+
+const char *cli_model_name(const char *input) {
+    const char *member = burnish_archive_member(input);
+    return *input == ':' ? input + 1 : cli_base_name(member ? member : input);
 }
 
 size_t cli_stem_length(const char *base) {

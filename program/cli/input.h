@@ -30,6 +30,9 @@ const char *cli_foreign_extension(int format);
 int cli_is_own_mesh_name(const char *name);
 int cli_is_mesh_name(const char *name);
 
+/* The name of an input without folders: of the file, the file in an archive, or the built-in object. */
+const char *cli_model_name(const char *input);
+
 /* The length of a file's name without its extension, and without .gz after the one of a mesh. */
 size_t cli_stem_length(const char *base);
 
@@ -132,7 +135,8 @@ enum { CLI_PLATE_SHEET = -1 };
 
 #define CLI_PLATE_FLAG(type, member)                                                               \
     .phases = CLI_PHASE_LOAD, .value_type = CLI_TYPE_INTEGER, .name = "plate", .value = "N",       \
-    .help = "a plate of a print project", .default_text = "all", .low = 1, .high = 256,            \
+    .help = "a plate of a print project, all, or sheet", .default_text = "all", .low = 1,          \
+    .high = 256,                                                                                   \
     .manual =                                                                                      \
         "Draws only plate _N_ of a slicer's project (3MF). By default *all* plates are drawn, "    \
         "moved close together. *sheet* draws one labelled picture per plate, in one scale. "       \

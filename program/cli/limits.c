@@ -2,11 +2,29 @@
 
 #include "base/cli/options.h"
 
+enum { WALL_TIMES = 10 }; /* wall-clock time per processor time: a busy machine, a slow input */
+
 static double given;
 static uint64_t given_memory;
 
 double cli_seconds_given(void) {
     return given;
+}
+
+double cli_wall_seconds(double seconds) {
+    return WALL_TIMES * seconds;
+}
+
+burnish_status cli_fail_late(cli_lateness lateness, double seconds, burnish_error *error) {
+    return lateness == CLI_LATE_PROCESSOR
+               ? cli_fail(error, BURNISH_STATUS_LIMIT,
+                          "not done after %g seconds of processor time (--max-seconds): raise the "
+                          "limit or simplify the mesh",
+                          seconds)
+               : cli_fail(error, BURNISH_STATUS_LIMIT,
+                          "not done after %g seconds, %d times --max-seconds: raise the limit, or "
+                          "try again when the machine is less busy",
+                          WALL_TIMES * seconds, WALL_TIMES);
 }
 
 void cli_set_child_memory(uint64_t bytes) {
@@ -35,12 +53,16 @@ void cli_limit_child(long process) {
     (void)process;
 }
 
+void cli_limit_worker(double seconds) {
+    (void)seconds;
+}
+
 void cli_limit_child_seconds(double seconds) {
     (void)seconds;
 }
 
-int cli_child_was_late(void) {
-    return 0;
+cli_lateness cli_child_was_late(void) {
+    return CLI_NOT_LATE;
 }
 
 #else
@@ -57,11 +79,11 @@ int cli_child_was_late(void) {
 
 enum { NOT_BEGUN = 0, ENDED = -1 };
 static atomic_long child;  /* its process, or one of these */
-static atomic_int is_late; /* the child */
-static char line[120];     /* written before the timer starts */
+static atomic_int late;    /* the child: a cli_lateness */
+static char lines[2][600]; /* for wall and processor time, written before the timers start */
 
 static void end(int number) {
-    (void)number;
+    const char *line = lines[number == SIGPROF];
     const long process = atomic_load(&child);
     if (process == ENDED) { /* all is done */
         return;
@@ -75,22 +97,34 @@ static void end(int number) {
     _exit(burnish_status_exit_code(BURNISH_STATUS_LIMIT));
 }
 
-burnish_status cli_limit_seconds(double seconds, burnish_error *error) {
-    const struct sigaction action = {.sa_handler = end, .sa_flags = SA_RESTART};
+/* A timer of the process (ITIMER_...) whose signal has this handler. 0 seconds stop it. */
+static int set_timer(int which, double seconds, void (*handler)(int)) {
+    const struct sigaction action = {.sa_handler = handler, .sa_flags = SA_RESTART};
     struct itimerval timer = {.it_value = {(time_t)seconds, 0}};
+    timer.it_value.tv_usec = (suseconds_t)((seconds - (double)timer.it_value.tv_sec) * 1e6);
+    timer.it_interval.tv_usec = 100000; /* a process can start after the first signal */
+    return (seconds == 0 ||
+            sigaction(which == ITIMER_PROF ? SIGPROF : SIGALRM, &action, NULL) == 0) &&
+           setitimer(which, &timer, NULL) == 0;
+}
+
+burnish_status cli_limit_seconds(double seconds, burnish_error *error) {
     given = seconds;
     if (seconds == 0) {
         return BURNISH_STATUS_OK;
     }
-    timer.it_value.tv_usec = (suseconds_t)((seconds - (double)timer.it_value.tv_sec) * 1e6);
-    snprintf(line, sizeof line,
-             "burnish: not done after %g seconds (--max-seconds): raise the limit or simplify the "
-             "mesh\n",
-             seconds);
-    if (sigaction(SIGALRM, &action, NULL) != 0 || setitimer(ITIMER_REAL, &timer, NULL) != 0) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--max-seconds: %s", strerror(errno));
+    for (int i = 0; i < 2; ++i) {
+        cli_fail_late(i == 0 ? CLI_LATE_WALL : CLI_LATE_PROCESSOR, seconds, error);
+        snprintf(lines[i], sizeof lines[i], "burnish: %s\n", error->text);
     }
-    return BURNISH_STATUS_OK;
+    return set_timer(ITIMER_REAL, WALL_TIMES * seconds, end) && set_timer(ITIMER_PROF, seconds, end)
+               ? BURNISH_STATUS_OK
+               : cli_fail(error, BURNISH_STATUS_ARGUMENT, "--max-seconds: %s", strerror(errno));
+}
+
+void cli_limit_worker(double seconds) {
+    given = seconds;
+    set_timer(ITIMER_PROF, seconds, SIG_DFL);
 }
 
 burnish_status cli_limit_memory(uint64_t bytes, burnish_error *error) {
@@ -130,9 +164,11 @@ int cli_wait_child(long process) {
     atomic_store(&child, ENDED);
     while (waitpid((pid_t)process, &state, 0) < 0 && errno == EINTR) {
     }
-    if (!WIFSIGNALED(state) ||
-        WTERMSIG(state) != SIGKILL) { /* it ended before the timer's signal */
-        atomic_store(&is_late, 0);
+    if (WIFSIGNALED(state) && WTERMSIG(state) == SIGPROF) {
+        atomic_store(&late, CLI_LATE_PROCESSOR);
+    } else if (!WIFSIGNALED(state) ||
+               WTERMSIG(state) != SIGKILL) { /* it ended before the timer's signal */
+        atomic_store(&late, CLI_NOT_LATE);
     }
     return state;
 }
@@ -141,29 +177,24 @@ static void end_child(int number) {
     const long process = atomic_load(&child);
     (void)number;
     if (process != ENDED) {
-        atomic_store(&is_late, 1);
+        atomic_store(&late, CLI_LATE_WALL);
     }
     if (process > 0) {
         kill((pid_t)process, SIGKILL);
     }
 }
 
-/* The timer repeats: a process can start after the first signal. */
 void cli_limit_child_seconds(double seconds) {
-    const struct sigaction action = {.sa_handler = end_child, .sa_flags = SA_RESTART};
-    struct itimerval timer = {.it_value = {(time_t)seconds, 0}};
+    given = seconds;
     if (seconds > 0) {
-        timer.it_value.tv_usec = (suseconds_t)((seconds - (double)timer.it_value.tv_sec) * 1e6);
-        timer.it_interval.tv_usec = 100000;
-        atomic_store(&is_late, 0);
+        atomic_store(&late, CLI_NOT_LATE);
         atomic_store(&child, NOT_BEGUN);
-        sigaction(SIGALRM, &action, NULL);
     }
-    setitimer(ITIMER_REAL, &timer, NULL);
+    set_timer(ITIMER_REAL, WALL_TIMES * seconds, end_child);
 }
 
-int cli_child_was_late(void) {
-    return atomic_load(&is_late);
+cli_lateness cli_child_was_late(void) {
+    return (cli_lateness)atomic_load(&late);
 }
 
 #endif

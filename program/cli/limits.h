@@ -4,12 +4,25 @@
 
 #include "burnish/core.h"
 
-/* Ends the program after that many seconds of wall-clock time, with one line and exit code 5, and
- * removes temporary files; 0: no limit. Errors: ARGUMENT (this system has no timers). */
+typedef enum cli_lateness { CLI_NOT_LATE, CLI_LATE_WALL, CLI_LATE_PROCESSOR } cli_lateness;
+
+/* Ends the program after that many seconds of processor time, of all its threads, or ten times that
+ * in wall-clock time, with one line and exit code 5, and removes temporary files; 0: no limit.
+ * Errors: ARGUMENT (this system has no timers). */
 burnish_status cli_limit_seconds(double seconds, burnish_error *error);
 
-/* The limit in seconds; 0: none. */
+/* Ends this process by SIGPROF after that many seconds of processor time; its parent waits for it and
+ * limits wall-clock time. 0: no limit. */
+void cli_limit_worker(double seconds);
+
+/* The limit in seconds of processor time; 0: none. */
 double cli_seconds_given(void);
+
+/* The limit of wall-clock time that goes with one of processor time. */
+double cli_wall_seconds(double seconds);
+
+/* The error of a process that was late, for a limit in seconds of processor time: LIMIT. */
+burnish_status cli_fail_late(cli_lateness lateness, double seconds, burnish_error *error);
 
 /* Limits the address space of the program, in bytes. A run that needs more ends with exit code 6,
  * as if memory were short. 0: no limit. Errors: ARGUMENT. */
@@ -33,12 +46,12 @@ void cli_limit_child(long process);
  * late. */
 int cli_wait_child(long process);
 
-/* Ends the process of the next cli_limit_child, not the program, this many seconds from now; 0:
- * cancels the limit. */
+/* Ends the process of the next cli_limit_child, not the program, ten times this many seconds from
+ * now; the process calls cli_limit_worker. 0: cancels the limit. */
 void cli_limit_child_seconds(double seconds);
 
-/* 1: the last limit of cli_limit_child_seconds expired before the process ended. */
-int cli_child_was_late(void);
+/* Whether the last limit of cli_limit_child_seconds expired before the process ended. */
+cli_lateness cli_child_was_late(void);
 
 /* For commands that draw: makes memory cheap to allocate. Call it before the first large
  * allocation, with one thread. */

@@ -45,6 +45,11 @@ static const cli_flag flags[] = {
      .default_text = "values", .words = map_words,
      .manual = "Content of the third panel of the picture: *values*, the difference of the channel "
                "that differs most; *flip*, FLIP of each pixel."},
+    {CLI_SWITCH("align", "move B's box onto A's", align), .common = 1,
+     .aliases = "center,centre,align-centers",
+     .manual = "Moves _B_, a mesh, so that the middle of its bounding box is at that of _A_'s: for "
+               "two versions of a part that are at different places of their files. Nothing is "
+               "turned or scaled. Coordinates of flags are those of each file."},
     {CLI_JSON_FLAG(compare_settings, json, "one JSON object instead of text, in FILE too",
                    "NUMBERS OF A COMPARISON")},
     {.group = "Picture",
@@ -77,6 +82,7 @@ static const cli_term number_terms[] = {
      "*input*, *kind* (*picture* or *mesh*), *width*, *height*; for a mesh *lobe*, *camera*, *up*, "
      "*facts* (*triangles*, *vertices*, *shells*, *open_edges*, *size_x*, *size_y*, *size_z*, "
      "*area*, and *volume*, null if it is not closed) and *warnings*"},
+    {"*moved*", "what *--align* adds to the coordinates of _B_: x, y, z; else 0"},
     {"*passes*", "true if the exit code is 0"},
     {"*metric, error, threshold, tolerance*",
      "the error of the metric; for pictures that are too small for SSIM, the share of pixels that "

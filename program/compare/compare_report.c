@@ -119,6 +119,7 @@ static burnish_status print_json(FILE *stream, const comparison *c, burnish_erro
     cli_json_add(root, "output",
                  c->settings->output ? cli_json_text(c->settings->output) : cJSON_CreateNull(),
                  &failed);
+    cli_json_add(root, "moved", cli_json_reals(3, c->moved), &failed);
     picture_add_verdict(root, &c->settings->rule, &c->verdict, &failed);
     return cli_json_print(stream, root, failed, error);
 }
@@ -133,6 +134,13 @@ static void print_text(FILE *stream, const comparison *c) {
             : c->verdict.passes                      ? "alike"
                                                      : "different");
     picture_print_verdict(stream, &c->verdict);
+    if (!c->settings->align && have_facts(c) && c->verdict.numbers.silhouette_iou == 0) {
+        fprintf(stream, "  A and B are at different places; --align moves B onto A\n");
+    }
+    if (c->settings->align) {
+        fprintf(stream, "  B is moved by        %9.6g, %.6g, %.6g\n", c->moved[0], c->moved[1],
+                c->moved[2]);
+    }
     if (have_facts(c)) {
         print_facts(stream, c);
     }

@@ -34,12 +34,12 @@ static int is_picture(const char *path) {
     return picture_is_png(head, size) || (path[0] != ':' && ends_in_png(path));
 }
 
-/* first: the mesh whose origin it shares; NULL: none */
-static burnish_load_options load_options(const compare_side *side, const burnish_mesh *first) {
+/* origin: that of the other side's mesh; NULL: its own */
+static burnish_load_options load_options(const compare_side *side, const double *origin) {
     burnish_load_options options =
         render_load_options(&side->settings.input, side->settings.job.threads);
     options.measure = 1;
-    options.origin = first ? burnish_mesh_get_view(first)->origin : NULL;
+    options.origin = origin;
     return options;
 }
 
@@ -67,9 +67,8 @@ static burnish_status read_standard(compare_side *side, const burnish_load_optio
     return status;
 }
 
-static burnish_status read_side(compare_side *side, const burnish_mesh *first,
-                                burnish_error *error) {
-    const burnish_load_options options = load_options(side, first);
+static burnish_status read_side(compare_side *side, const double *origin, burnish_error *error) {
+    const burnish_load_options options = load_options(side, origin);
     if (strcmp(side->input, "-") == 0 && !cli_foreign_extension((int)options.format)) {
         return read_standard(side, &options, error);
     }
@@ -77,6 +76,32 @@ static burnish_status read_side(compare_side *side, const burnish_mesh *first,
         return picture_read_png(side->input, options.max_input_bytes, &side->picture, error);
     }
     return take_mesh(side, import_load(side->input, &options, &side->owned, error));
+}
+
+/* Reads B again with an origin that puts the middle of its box where that of A's is. */
+static burnish_status align(comparison *c, burnish_error *error) {
+    const burnish_mesh *first = c->sides[0].owned;
+    compare_side *side = &c->sides[1];
+    float low[2][3], high[2][3];
+    double origin[3];
+    if (!first || !side->owned || strcmp(side->input, "-") == 0) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--align: needs two meshes, B in a file; omit the flag");
+    }
+    burnish_mesh_get_bounds(first, low[0], high[0]);
+    burnish_mesh_get_bounds(side->owned, low[1], high[1]);
+    for (int k = 0; k < 3; ++k) {
+        c->moved[k] =
+            ((double)low[0][k] + (double)high[0][k] - (double)low[1][k] - (double)high[1][k]) / 2;
+        origin[k] = burnish_mesh_get_view(first)->origin[k] - c->moved[k];
+    }
+    burnish_mesh_destroy(side->owned);
+    side->owned = NULL;
+    render_drop_warnings(&side->result.warnings, 0);
+    side->result.warnings.print = NULL; /* they have been printed */
+    const burnish_status status = read_side(side, origin, error);
+    side->result.warnings.print = side->settings.job.quiet ? NULL : cli_warn;
+    return status;
 }
 
 /* ---- Drawing ---- */
@@ -330,7 +355,12 @@ burnish_status compare_draw_sides(comparison *c, burnish_error *error) {
         describe_side(c, i);
     }
     for (int i = 0; i < (c->lobes ? 1 : 2) && status == BURNISH_STATUS_OK; ++i) {
-        status = read_side(&c->sides[i], i > 0 ? c->sides[0].owned : NULL, error);
+        const burnish_mesh *first = i > 0 ? c->sides[0].owned : NULL;
+        status =
+            read_side(&c->sides[i], first ? burnish_mesh_get_view(first)->origin : NULL, error);
+    }
+    if (status == BURNISH_STATUS_OK && c->settings->align) {
+        status = align(c, error);
     }
     if (status == BURNISH_STATUS_OK && c->lobes) {
         if (!c->sides[0].result.mesh) {

@@ -9,7 +9,8 @@ typedef struct compare_settings {
     render_settings render; /* first: its flags are shared */
     int size[2];            /* 0: not given */
     picture_rule rule;
-    int map; /* compare_map */
+    int map;   /* compare_map */
+    int align; /* 1: the middle of B's box is moved to that of A's */
     const char *output;
     int format; /* picture_format of the output */
     const char *json;
@@ -35,6 +36,7 @@ typedef struct comparison {
     const compare_settings *settings;
     compare_side sides[2];
     int lobes;                      /* 1: one mesh with two lobes */
+    double moved[3];                /* what --align added to B's coordinates */
     render_environment environment; /* of both */
     picture_verdict verdict;
     float *flip_map; /* NULL: not wanted */

@@ -8,6 +8,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdio.h>
@@ -25,7 +26,7 @@
 #include "import/importers.h"
 
 enum {
-    SECONDS = 300, /* that an importer may take at least */
+    SECONDS = 300, /* of processor time, without --max-seconds */
     PIECE = 1 << 16,
     HEAD = 512,            /* bytes to inspect before an importer is started */
     MOST_FIXED = 64 << 20, /* limit of a stream: MOST_FIXED plus MOST_FACTOR per input byte */
@@ -41,9 +42,9 @@ typedef struct run {
     burnish_error *error;
     char path[4096];
     pid_t process;
-    int pipe; /* from it */
-    double end;
-    uint64_t most; /* bytes that it may write */
+    int pipe;            /* from it */
+    double seconds, end; /* limits: processor time, clock */
+    uint64_t most;       /* bytes that it may write */
 } run;
 
 static burnish_status importer_fail(const run *r, burnish_status status, const char *what) {
@@ -109,7 +110,10 @@ static burnish_status importer_start(run *r, int input, uint64_t memory) {
         setpgid(0, 0);
         cli_lower_limit(RLIMIT_AS, memory);
         cli_lower_limit(RLIMIT_CORE, 0);
-        cli_lower_limit(RLIMIT_CPU, (uint64_t)(r->end - burnish_seconds_now()) + 1);
+        /* SIGXCPU at the first limit, SIGKILL, which looks like a lack of memory, at the second; if
+         * it fails, there is a lower one already */
+        const rlim_t seconds = (rlim_t)ceil(r->seconds);
+        setrlimit(RLIMIT_CPU, &(struct rlimit){seconds, seconds + 1});
         cli_execute(r->path, arguments);
     }
     const int code = errno;
@@ -130,7 +134,8 @@ static int is_late(const run *r) {
 }
 
 static burnish_status fail_time(const run *r) {
-    return importer_fail(r, BURNISH_STATUS_LIMIT, "takes too long; simplify the file");
+    return importer_fail(r, BURNISH_STATUS_LIMIT,
+                         "takes too long; raise --max-seconds or simplify the file");
 }
 
 /* The next piece of the stream: its size, 0 at the end, -1 after an error. */
@@ -138,7 +143,7 @@ static ssize_t read_piece(const run *r, unsigned char *piece, burnish_status *st
     for (;;) {
         const double left = is_late(r) ? 0 : r->end - burnish_seconds_now();
         struct pollfd ready = {r->pipe, POLLIN, 0};
-        const int count = left > 0 ? poll(&ready, 1, (int)(left * 1000) + 1) : 0;
+        const int count = left > 0 ? poll(&ready, 1, (int)(fmin(left, 1e6) * 1000) + 1) : 0;
         if (count == 0) {
             *status = fail_time(r);
             return -1;
@@ -225,12 +230,13 @@ static burnish_status check_head(const run *r, int input) {
 burnish_status import_run(const import_program *importer, const char *name, const char *extension,
                           int input, uint64_t max_bytes, import_sink sink, burnish_error *error) {
     struct stat state;
-    const double seconds = cli_seconds_given() > SECONDS ? cli_seconds_given() : SECONDS;
+    const double seconds = cli_seconds_given() > 0 ? cli_seconds_given() : SECONDS;
     run r = {.importer = importer,
              .name = name,
              .extension = extension,
              .error = error,
-             .end = burnish_seconds_now() + seconds};
+             .seconds = seconds,
+             .end = burnish_seconds_now() + cli_wall_seconds(seconds)};
     burnish_status status = check_head(&r, input);
     if (status == BURNISH_STATUS_OK) {
         status = find_program(&r);

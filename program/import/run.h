@@ -24,7 +24,7 @@ typedef struct import_sink {
  *   sink   receives the stream
  * On success the stream is complete, but not validated. It can have at most 64 MiB plus 256 times
  * the input's size. Limits of the importer: --max-memory (default: 4 GiB plus 64 times the input's
- * size) and --max-seconds, at least 300.
+ * size) and --max-seconds (default: 300), ten times as much in wall-clock time.
  * Errors: FORMAT (no such program, it crashed), LIMIT (time, bytes), MEMORY, READ. */
 burnish_status import_run(const import_program *importer, const char *name, const char *extension,
                           int input, uint64_t max_bytes, import_sink sink, burnish_error *error);

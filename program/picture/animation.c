@@ -75,7 +75,7 @@ void picture_animation_destroy(picture_animation *animation) {
 
 burnish_status picture_animation_add(picture_animation *animation, const burnish_image *frame,
                                      burnish_error *error) {
-    if (animation->index > 0) {
+    if (animation->index > 0 && !animation->options.is_whole) {
         animation->out.size = 0; /* the first frame follows the header */
     }
     burnish_status status = frame ? animation->animator->add(animation, frame, error)

@@ -13,6 +13,7 @@ typedef struct picture_animation_options {
     int fps;      /* frames per second; GIF at most 50 */
     int quality;  /* of WebP, [1, 100]; 0: without loss */
     int threads;
+    int is_whole;                   /* 1: `out` keeps the whole file */
     const picture_palette *palette; /* GIF: must outlive the animation; others: NULL */
 } picture_animation_options;
 

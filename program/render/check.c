@@ -45,6 +45,15 @@ static burnish_status check_turntable(render_settings *settings, burnish_error *
                             : "--%s: a turntable shows only one view and one lobe; omit the flag",
                         extra);
     }
+    if (settings->output.plays && is_standard(settings->input.name)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--play: reads INPUT for every frame; name a file");
+    }
+    if (settings->output.plays && settings->input.load.animation_time.given) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--animation-time: --play shows all times; omit one of them");
+    }
+    settings->input.load.animation_time.given |= settings->output.plays;
     settings->output.path = settings->output.turntable;
     return BURNISH_STATUS_OK;
 }
@@ -56,6 +65,7 @@ static burnish_status name_output(render_settings *settings, burnish_error *erro
     if (settings->output.turntable) {
         return check_turntable(settings, error);
     }
+    settings->output.plays = 0;
     if (settings->output.path) {
         return BURNISH_STATUS_OK;
     }
@@ -63,7 +73,7 @@ static burnish_status name_output(render_settings *settings, burnish_error *erro
         settings->output.path = "-";
         return BURNISH_STATUS_OK;
     }
-    const char *base = is_standard(input) ? "" : input[0] == ':' ? input + 1 : cli_base_name(input);
+    const char *base = is_standard(input) ? "" : cli_model_name(input);
     const size_t length = cli_stem_length(base);
     char *name = settings->output.derived;
     const char *place = settings->output.place ? settings->output.place : "";

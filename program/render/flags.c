@@ -157,7 +157,13 @@ static const cli_flag flags[] = {
     {DRAW_SWITCH("cull-back-faces", "skip back-facing triangles", picture.cull_back_faces),
      .aliases = "backface-culling",
      .manual = "Skips back-facing triangles: a closed surface looks the same and is faster to "
-               "draw. Without this flag both sides of a surface are lit."},
+               "draw. Without this flag both sides of a surface are lit, but for a glTF file whose "
+               "materials are single-sided and whose faces look inward, as the walls of a room: "
+               "there back faces are skipped, and the inside is seen."},
+    {DRAW_FLAG("no-cull-back-faces", NULL, "draw both sides of every face", render_flag_never,
+               picture.cull_back_faces),
+     .svg = CLI_SVG_SAME, .aliases = "double-sided,no-backface-culling",
+     .manual = "Draws both sides of every face, of rooms too."},
     {DRAW_FLAG("samples", "N", "samples per pixel (anti-aliasing)", cli_flag_word, picture.samples),
      .svg = CLI_SVG_REFUSED, .default_text = "4", .words = sample_words,
      .aliases = "antialiasing,anti-aliasing,aa,msaa,a,render-samples",
@@ -254,6 +260,13 @@ static const cli_flag flags[] = {
                "*.mp4* and *.webm* are encoded by *ffmpeg*, which must be in *PATH*; of an odd "
                "width or height one column or row is cut off. *-* writes Y4M to standard output, "
                "for other video encoders: 4:2:0, limited range, BT.709."},
+    {FILE_SWITCH("play", "the turntable shows INPUT's animation instead", output.plays),
+     .not_for = HEIR_ANY, .svg = CLI_SVG_SAME, .aliases = "play-animation",
+     .manual = "The frames of *--turntable* show a glTF file's animation instead of a turn: its "
+               "first one, or that of *--animation*, at *--frames* equal steps of its length. It "
+               "has its own speed if *--frames* is its seconds times *--fps*; *animation_seconds* "
+               "of *--json* is its length. One camera shows what all frames cover. _INPUT_ is read "
+               "again for each frame."},
     {FILE_FLAG("frames", "N", "frames of a turntable", cli_flag_integer, output.frames),
      .not_for = HEIR_ANY, .svg = CLI_SVG_SAME, CLI_RANGE(2, 3600), .default_text = "60",
      .manual = "Number of frames, from 2 to 3600."},
@@ -467,8 +480,7 @@ static const cli_flag flags[] = {
                "*studio* if the object stands on its lowest points, but not with *--views*, "
                "*--plane*, *--occlusion=none* or linear outputs. If *--no-ground* is given too, "
                "the last of both counts."},
-    {DRAW_FLAG("no-ground", NULL, "no shadow below the object", render_flag_no_ground,
-               shading.ground),
+    {DRAW_FLAG("no-ground", NULL, "no shadow below the object", render_flag_never, shading.ground),
      .svg = CLI_SVG_SAME, .aliases = "no-contact-shadow,no-ground-shadow",
      .manual = "Draws no shadow below the object, for pictures that are laid over others or "
                "measured."},
@@ -596,8 +608,9 @@ static const cli_flag flags[] = {
     {CLI_FLAG("max-seconds", "N", "time limit", cli_flag_real, job.max_seconds),
      .phases = CLI_PHASE_PROCESS, .not_for = HEIR_ANY, CLI_RANGE(0, 1e6), .default_text = "0",
      .default_label = "never",
-     .manual = "Ends the run after _N_ seconds of wall-clock time, without a picture and with exit "
-               "code 5. 0: no limit."},
+     .manual = "Ends the run after _N_ seconds of processor time, of all threads together, or ten "
+               "times that in wall-clock time, without a picture and with exit code 5. An importer "
+               "may take as much again. 0: no limit."},
     {CLI_FLAG("max-memory", "N", "memory limit, such as 500M or 2G", cli_flag_bytes,
               job.max_memory),
      .phases = CLI_PHASE_PROCESS, .not_for = HEIR_ANY, CLI_RANGE(1, 9e18), .default_label = "all",

@@ -153,10 +153,14 @@ static const cli_term json_terms[] = {
     {"*hash, hash_algorithm*",
      "XXH64 of the pixel bytes, 16 hexadecimal digits: the same on every machine"},
     {"*blank*", "true if the picture, or a cell, shows nothing or has only one colour"},
+    {"*legible*",
+     "false if the picture, or a cell, is blank, nearly black or like its background, or shows the "
+     "object as a speck; a warning says which, and names a flag that helps"},
     {"*reference*", "with *--reference*: *input*, *width*, *height*, *passes*, and, if the sizes "
                     "are the same, the other numbers of *burnish compare --json*"},
     {"*warnings*", "lines, also with *--quiet*"},
-    {"*frames, fps*", "of a turntable; the other values and the hash are of the first frame"},
+    {"*frames, fps, animation_seconds*",
+     "of a turntable; the other values and the hash are of the first frame"},
     {"*planes*", "for each *--plane*: *plane*, *output*, and for depth *low* and *high*"},
     {"*cells*", "of a sheet: *row*, *column*, *view*, *width*, *height*, *blank*, *hash*, and the "
                 "values that depend on the view or lobe"},

@@ -146,7 +146,7 @@ static burnish_status load_scene(render_result *result, burnish_error *error) {
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    if (settings->input.load.plate < 0) {
+    if (settings->input.load.plate < 0 || settings->output.plays) {
         result->given = *settings;
     }
     render_scene scene = {settings,          result->mesh,

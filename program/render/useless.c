@@ -148,7 +148,7 @@ size_t render_list_needs(const render_settings *settings, cli_need needs[RENDER_
                    "--width and --height replace it; omit one of them"};
     needs[count++] = (cli_need){"camera", output->turntable == NULL,
                                 "a turntable has cameras of its own; omit one of them"};
-    needs[count++] = (cli_need){"frames,fps", output->turntable != NULL,
+    needs[count++] = (cli_need){"frames,fps,play", output->turntable != NULL,
                                 "only a turntable has frames; use --turntable=FILE"};
     needs[count++] = (cli_need){"quality", format == PICTURE_JPEG || format == PICTURE_WEBP,
                                 "only JPEG and WebP have it; use the extension .jpg or .webp"};
@@ -182,6 +182,10 @@ size_t render_list_input_needs(const render_settings *settings, const burnish_me
         "camera-orthographic,camera-orthographic-height,same-scale,margin",
         mesh && !(settings->camera.own && is_free && has_camera),
         "the picture has a camera of INPUT; omit --camera"};
+    needs[count++] = (cli_need){"edges,wireframe,hidden-lines,center-lines,edge-width,edge-color",
+                                mesh && (burnish_mesh_get_info(mesh)->point_count == 0 ||
+                                         burnish_mesh_get_view(mesh)->splats),
+                                "points have no edges; omit the flag"};
     needs[count++] = (cli_need){
         "color,no-colors,material,opacity,specular,exponent,lobe,equation,viewer,light,ambient,"
         "exposure,tone-mapping,occlusion,ground,shadow,edges,wireframe,hidden-lines,center-lines,"

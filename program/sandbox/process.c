@@ -35,6 +35,10 @@ static int describe_end(broker_state reason, int state, burnish_error *ended) {
                  "the input");
         code = has_line = 1;
     }
+    if (cli_child_was_late() == CLI_LATE_PROCESSOR) {
+        code =
+            burnish_status_exit_code(cli_fail_late(CLI_LATE_PROCESSOR, cli_seconds_given(), &line));
+    }
     if (has_line && ended) {
         *ended = line;
     } else if (has_line) {
@@ -91,6 +95,7 @@ burnish_status sandbox_begin(const sandbox_plan *plan, int *code, burnish_error 
                                  .count = input >= 0 ? WORKER_INPUT + 1 : WORKER_INPUT,
                                  .ended_by = SIGKILL});
         if (worker == 0) {
+            cli_limit_worker(cli_seconds_given());
             sandbox_become_worker(WORKER_CHANNEL, input >= 0 ? WORKER_INPUT : -1, below);
             *code = -1;
             return BURNISH_STATUS_OK;

@@ -82,6 +82,7 @@ void serve_run_importer(const serve_settings *settings, const serve_import_reque
     burnish_error error = {BURNISH_STATUS_OK, ""};
     const import_program *importer = import_choose(import->name, import->format, extension);
     const int file = importer ? copy_mesh(import, request_size, SERVE_REQUEST) : -1;
+    cli_limit_worker(settings->render.job.max_seconds.value);
     cli_set_child_memory(settings->render.job.max_memory);
     const burnish_status status = file < 0
                                       ? cli_fail(&error, BURNISH_STATUS_MEMORY,

@@ -37,8 +37,8 @@ static const cli_flag flags[] = {
                "end in *K*, *M* or *G*."},
     {CLI_FLAG("max-seconds", "N", "time limit per request", cli_flag_real, render.job.max_seconds),
      CLI_RANGE(0, 1e6), .default_text = "60", .common = 1,
-     .manual = "The reply to a request that takes longer in wall-clock time, counted from its last "
-               "byte, has code 5. 0: no limit."},
+     .manual = "The reply to a request that takes more processor time, or ten times that in "
+               "wall-clock time from its last byte on, has code 5. 0: no limit."},
     {CLI_FLAG("max-memory", "N", "memory limit per request, such as 500M", cli_flag_bytes,
               render.job.max_memory),
      CLI_RANGE(1, 9e18), .default_text = "2G", .common = 1,

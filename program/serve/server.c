@@ -104,6 +104,7 @@ static uint64_t reply_limit(const server *v) {
  * machine through its reply. */
 __attribute__((noreturn)) static void become_worker(server *v) {
     cli_lower_limit(RLIMIT_FSIZE, reply_limit(v));
+    cli_limit_worker(v->settings->render.job.max_seconds.value);
     serve_work(v->settings);
 }
 
@@ -192,11 +193,10 @@ static void finish_request(const server *v, slot *s) {
 static void describe_end(const server *v, slot *s, int state) {
     burnish_error line = {BURNISH_STATUS_MEMORY, "the program that draws ended before its reply"};
     int code = sandbox_describe_end(state, &line);
-    if (s->is_late) {
-        code = burnish_status_exit_code(cli_fail(
-            &line, BURNISH_STATUS_LIMIT,
-            "not done after %g seconds (--max-seconds): raise the limit or simplify the mesh",
-            v->settings->render.job.max_seconds.value));
+    if (s->is_late || (WIFSIGNALED(state) && WTERMSIG(state) == SIGPROF)) {
+        code = burnish_status_exit_code(
+            cli_fail_late(s->is_late ? CLI_LATE_WALL : CLI_LATE_PROCESSOR,
+                          v->settings->render.job.max_seconds.value, &line));
     }
     if (code != 0 || !WIFEXITED(state)) {
         reply_failure(s, code, line.text);
@@ -396,7 +396,7 @@ static void seal_request(int request) {
 /* Handles a complete request. */
 static void end_request(server *v) {
     slot *s = v->filling;
-    const double seconds = v->settings->render.job.max_seconds.value;
+    const double seconds = cli_wall_seconds(v->settings->render.job.max_seconds.value);
     v->filling = NULL;
     v->head_size = 0;
     ++v->requests;

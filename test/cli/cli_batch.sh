@@ -315,11 +315,22 @@ expect 2 'burnish: --plane: is of one picture; draw one INPUT, without --output-
 expect 2 'burnish: --output: a batch can'\''t write to standard output; leave it out' render in/a.obj in/a.off -o -
 rm -rf thumbs one.png
 
+# Pictures that hardly show their object are counted, also those of an earlier run.
+few='burnish: warning: 2 of 2 pictures are blank, nearly black, like their background, or specks, such as out/a.obj.png'
+for time in first second; do
+    expect 0 "$few; see its line in the report for the reason" batch in/a.obj in/a.off -d out --size=64 --zoom=0.01 $memory # the $time
+done
+check "the report names the reason" grep -q '"legible":false,"warnings":\["in/a.off: the picture ' out/burnish-batch.jsonl
+expect 0 "$few; draw it alone for the reason" \
+    render in/a.obj in/a.off -d out --overwrite --size=64 --zoom=0.01 $memory
+rm -rf out
+
 # Limits: only the worker that takes too long ends.
 sheets >in/sheets.obj
 batch in/sheets.obj in/a.obj -d out --views=front --max-overdraw=1e9 --size=3000 --samples=16 --max-seconds=0.2
 check "--max-seconds: exit code $code" [ "$code" = 11 ]
-check "--max-seconds: $(cat "$err")" grep -q '^burnish: in/sheets.obj: not done after 0.2 seconds' "$err"
+check "--max-seconds: $(cat "$err")" late 0.2
+check "--max-seconds: the input: $(cat "$err")" grep -q '^burnish: in/sheets.obj: not done' "$err"
 check "nothing half done" [ "$(find out -name '.*' -o -name 'sheets*' | wc -l)" = 0 ]
 rm -rf out
 

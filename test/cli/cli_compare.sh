@@ -111,6 +111,21 @@ printf 'solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nver
 "$burnish" compare part.stl - --size=32 <part.stl >"$out" 2>&1
 check "a mesh from a pipe: $(cat "$out")" grep -q 'the same' "$out"
 
+# --align: B at another place; far away too, and only its place is changed.
+block 1 2 3 >here.obj
+awk '$1 == "v" { $2 += 64; $3 -= 8; $4 += 0.5 } 1' here.obj >there.obj
+awk '$1 == "v" { $2 += 4194304; $3 -= 8 } 1' here.obj >far.obj
+run compare here.obj there.obj --size=64
+check "a hint: exit code $code, $(cat "$out")" sh -c "[ $code = 10 ] && grep -q 'A and B are at different places; --align moves B onto A' '$out'"
+for moved in there.obj:-64,8,-0.5 far.obj:-4194304,8,0; do
+    gives 0 compare here.obj "${moved%:*}" --align --size=64 --json
+    same "moved" "$(json moved) $(json different_pixels)" "${moved#*:} 0"
+done
+run compare here.obj there.obj --align --size=64
+check "the text says so: $(cat "$out")" grep -q 'B is moved by *-64, 8, -0.5$' "$out"
+expect 2 'burnish: --align: needs two meshes, B in a file; omit the flag' compare here.obj teapot.png --align
+rm -f here.obj there.obj far.obj
+
 # render --reference.
 expect 0 '' render :teapot --size=48 --reference=teapot.png -o again.png
 expect 10 'burnish: teapot.png: the picture has 47 x 47 pixels, the reference 48 x 48' render :teapot --size=47 --reference=teapot.png -o again.png

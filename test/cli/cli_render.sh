@@ -55,7 +55,7 @@ printf 'mine' >kept.png
 expect 8 'burnish: :sphere: the picture is blank; check the camera; no file was written' render :sphere $away --fail-on-blank -o kept.png
 run render ../broken.stl -o kept.png
 check "an older picture stays" [ "$(cat kept.png)" = mine ]
-expect 0 'burnish: warning: :sphere: the picture is blank: the object is not in it; check the camera' render :sphere $away
+expect 0 'burnish: warning: :sphere: the picture is blank: the object is not in it; check --camera-position' render :sphere $away
 expect 0 '' render :sphere $away --quiet --overwrite
 printf 'mine' >s.png
 "$burnish" render :sphere --size=500 --json -o s.png 2>"$err" >/dev/full
@@ -140,7 +140,7 @@ check "JSON is valid" valid_json
 check "JSON alone: nothing on standard error" [ ! -s "$err" ]
 for key in burnish input format output width height triangles vertices materials exponents bounding_box up \
     triangles_drawn hidden cuts filled covered_pixels layers_dropped pixel_bounds near_white near_black like_ground contrast camera pixels_per_unit lobe equation viewer lights samples threads seconds hash \
-    hash_algorithm blank warnings; do
+    hash_algorithm blank legible warnings; do
     check "JSON lacks $key" grep -q "\"$key\":" "$out"
 done
 same "input" "$(json input)" :teapot
@@ -215,6 +215,58 @@ cd ..
 run render :sphere $unseen --json -o t.png
 check "a picture of one colour is written with a warning: $(cat "$err")" grep -q 'warning: :sphere: the picture has only one colour' "$err"
 expect 0 '' render :sphere --size=16 --fail-on-blank -o t.png
+
+# A glTF room shows its inside, unless faces have two sides, it is closed, or a flag says so.
+room() { # FILE FACES MATERIAL
+    python3 - "$@" <<'END'
+import base64, json, struct, sys
+faces = [(0, 2, 1), (1, 2, 3), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7), (0, 4, 2), (2, 4, 6), (1, 3, 5), (3, 7, 5), (4, 5, 6), (5, 7, 6)]
+faces = [(a, c, b) for a, b, c in faces][:int(sys.argv[2])]  # without the last two: open toward +Z
+data = b"".join(struct.pack("<3f", i & 1, i >> 1 & 1, i >> 2) for i in range(8)) + b"".join(struct.pack("<3H", *f) for f in faces)
+json.dump({"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0, "materials": [json.loads(sys.argv[3])],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 8, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1]},
+                  {"bufferView": 1, "componentType": 5123, "count": 3 * len(faces), "type": "SCALAR"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 96}, {"buffer": 0, "byteOffset": 96, "byteLength": 6 * len(faces)}],
+    "buffers": [{"byteLength": len(data), "uri": "data:;base64," + base64.b64encode(data).decode()}]}, open(sys.argv[1], "w"))
+END
+}
+room open.gltf 10 '{}'
+room two.gltf 10 '{"doubleSided":true}'
+room closed.gltf 12 '{}'
+inside=$(hash open.gltf --size=64 --cull-back-faces) outside=$(hash open.gltf --size=64 --no-cull-back-faces)
+check "the sides of a room differ" [ "$inside" != "$outside" ]
+same "a room" "$(hash open.gltf --size=64)" "$inside"
+same "a room of two-sided walls" "$(hash two.gltf --size=64)" "$outside"
+same "a closed room, or a solid that is inside out" "$(hash closed.gltf --size=64)" "$(hash closed.gltf --size=64 --no-cull-back-faces)"
+same "an open part whose faces look outward" "$(hash :teapot --size=64)" "$(hash :teapot --size=64 --no-cull-back-faces)"
+
+# One warning of a picture that hardly shows its object, which names a flag that helps.
+illegible() {
+    wanted=$1
+    shift
+    expect 0 "burnish: warning: $wanted" render "$@" -o t.png
+}
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 900 0 900\nv 901 0 900\nv 900 1 900\nf 1 2 3\nf 4 5 6\n' >apart.obj
+printf 'v 0 0 0\nv 900 0 0\nv 0 .1 0\nf 1 2 3\n' >wire.obj
+illegible ':sphere: the picture is nearly black; raise --exposure or --ambient, or use --color' :sphere --light=none --ambient=0
+illegible ':sphere: the picture has only one colour: the object is invisible; check --color, --light and --background-color' :sphere $unseen
+illegible ':sphere: the picture shows the object in the colour of its background; change --background-color' \
+    :sphere --look=plain --light=none --ambient=.97 --specular=0 --color=white --edges=none --size=64
+illegible ':sphere: the picture shows the object in only 44 of 786432 pixels; check --zoom' :sphere --zoom=0.01
+illegible 'apart.obj: the picture shows the object in only 1 of 65536 pixels; use --zoom with --camera-focal-point' \
+    apart.obj --size=256 --samples=16
+illegible 'wire.obj: the picture is blank: the object is too thin or too small in it, or transparent; use --edges, --opacity, or --zoom with --camera-focal-point' wire.obj
+illegible 'points.ply: the picture is empty: points have no lines to draw; use another --look' points.ply --look=drawing
+for flag in --edges --wireframe; do
+    expect 0 "burnish: warning: $flag: no effect: points have no edges; omit the flag" render points.ply --size=64 $flag -o t.png
+done
+expect 0 '' render wire.obj --size=64 --look=drawing --edges -o t.png
+for flags in '--look=drawing' '--color=white --background-color=white' '--environment=sky --background-color=environment' '--no-background'; do
+    # shellcheck disable=SC2086
+    expect 0 '' render :teapot --size=64 $flags -o t.png
+done
+same "legible" "$(gives 0 render :sphere --json -o t.png; json legible) $(run render :sphere --zoom=0.01 --json -o t.png; json legible)" 'true false'
 
 # The report in a file, the picture on standard output.
 "$burnish" render :torus --size=16 --json=report.json -o - >piped.png

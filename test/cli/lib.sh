@@ -18,5 +18,11 @@ block() {
     printf 'f %s %s %s %s\n' 4 3 2 1 5 6 7 8 1 2 6 5 2 3 7 6 3 4 8 7 4 1 5 8
 }
 
+# late SECONDS: the last run, or an input of it, was ended by this limit: of processor time or, on a busy machine, of ten
+# times that in wall-clock time.
+late() {
+    grep -qE "not done after ($1 seconds of processor time \\(--max-seconds\\)|[0-9.]* seconds, 10 times --max-seconds): raise the limit" "$err"
+}
+
 # sheets: an OBJ file of many triangles one behind another, which takes long.
 sheets() { awk 'BEGIN { for (i = 0; i < 9000; ++i) { z = i / 9000; print "v 0 0 " z "\nv 1 0 " z "\nv 0 1 " z "\nf -3 -2 -1" } }'; }

@@ -452,8 +452,8 @@ static void test_obj(void) {
     CHECK(burnish_mesh_get_warning_count(mesh) == 2, "%zu", burnish_mesh_get_warning_count(mesh));
     CHECK_TEXT(burnish_mesh_get_warning(mesh, 0), "a.mtl:4: map_Kd: -mm is not drawn");
     CHECK_TEXT(burnish_mesh_get_warning(mesh, 1),
-               "m.obj: texture \"C:\\missing\\missing.png\" was skipped: it is "
-               "outside the folder of the file; --root=.. allows it");
+               "m.obj: texture \"C:\\missing\\missing.png\" was skipped: it is a path of another "
+               "machine; put the texture next to the file, or into textures/ there");
     burnish_mesh_destroy(mesh);
 }
 

@@ -1,13 +1,14 @@
 /* Time limits of a child process: a timer that expires after its end neither kills anything nor
  * makes it late. The test sends the signal at the worst moment instead of waiting for it. */
 #include <signal.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "cli/limits.h"
 #include "support.h"
 
-enum { LONG = 1000, CODE = 3, REAPED = 7 }; /* seconds; exit codes */
+enum { LONG = 1000, CODE = 3, REAPED = 7 }; /* seconds of processor time; exit codes */
 
 static int signals_after_reaping; /* 1: the timer expires when waitpid has returned */
 static pid_t reaped;              /* the last result of waitpid */
@@ -87,6 +88,25 @@ static void test_just_done(void) {
     cli_limit_child_seconds(0);
 }
 
+/* A worker that computes for ever ends by its own timer; one that waits has ten times as long. */
+static void test_processor(void) {
+    struct itimerval wall;
+    cli_limit_child_seconds(LONG);
+    CHECK1(getitimer(ITIMER_REAL, &wall) == 0 && wall.it_value.tv_sec > 9 * LONG);
+    fflush(NULL);
+    const pid_t process = fork();
+    if (process == 0) {
+        cli_limit_worker(0.01);
+        for (volatile unsigned n = 0;; ++n) {
+        }
+    }
+    cli_limit_child(process);
+    const int state = cli_wait_child(process);
+    CHECK(WIFSIGNALED(state) && WTERMSIG(state) == SIGPROF, "state %x", (unsigned)state);
+    CHECK1(cli_child_was_late() == CLI_LATE_PROCESSOR);
+    cli_limit_child_seconds(0);
+}
+
 static void test_late(void) {
     for (int before = 0; before < 2; ++before) {
         cli_limit_child_seconds(LONG);
@@ -133,6 +153,7 @@ int main(int count, char **arguments) {
     RUN(test_done());
     RUN(test_just_done());
     RUN(test_late());
+    RUN(test_processor());
     RUN(CHECK1(program_ends_with(0) == burnish_status_exit_code(BURNISH_STATUS_LIMIT)));
     RUN(CHECK1(program_ends_with(1) == REAPED));
     return test_end("limits");

@@ -54,9 +54,6 @@ static burnish_status draw_mesh(const render_result *result, render_cell *cell, 
 /* Warns about the facts of its report. */
 static void warn_about_cell(render_result *result, const render_cell *cell) {
     const char *input = result->settings->input.name;
-    const char *picture = result->cell_count > 1 ? cell->label : "the picture";
-    const int is_printed =
-        !result->settings->output.fail_on_blank && result->settings->picture.rows.count == 0;
     if (cell->report.lobe_fallbacks > 0) {
         char lobe[32];
         burnish_lobe_spec_name(&cell->lobe, lobe, sizeof lobe);
@@ -71,18 +68,6 @@ static void warn_about_cell(render_result *result, const render_cell *cell) {
                     "%.300s: some samples have more transparent layers than %d, or than "
                     "--max-overdraw allows; the farthest ones are omitted",
                     input, BURNISH_TRANSPARENT_LAYERS_MAX);
-    }
-    if (cell->report.covered_pixels == 0) {
-        ++result->blank_cells;
-        render_warn(&result->warnings, is_printed,
-                    "%.300s: %s is blank: the object is not in it; check the camera", input,
-                    picture);
-    } else if (cell->has_one_color) {
-        ++result->blank_cells;
-        render_warn(&result->warnings, is_printed,
-                    "%.300s: %s has only one colour: the object is invisible; check colours, "
-                    "lights and background",
-                    input, picture);
     }
 }
 
@@ -130,14 +115,13 @@ burnish_status render_draw_cell(render_result *result, render_cell *cell, burnis
     }
     if (output->json) {
         cell->tones = render_measure_tones(&cell->image, cell->coverage,
-                                           cell->report.covered_pixels, options);
+                                           cell->report.covered_pixels, 1, options);
     }
     free(cell->coverage);
     cell->coverage = NULL;
-    if (is_hashed(result) || output->fail_on_blank) {
-        cell->has_one_color = render_has_one_color(&cell->image);
-    }
+    cell->has_one_color = render_has_one_color(&cell->image);
     warn_about_cell(result, cell);
+    render_warn_illegible(result, cell);
     status = render_annotate(result, cell, depth, error);
     if (status == BURNISH_STATUS_OK) {
         render_draw_legend(result, &cell->image);
@@ -179,8 +163,10 @@ static burnish_status aim_cells(render_result *result, burnish_error *error) {
         for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
             burnish_camera *camera = &result->cells[i].camera;
             render_room room = shared;
-            status = (settings->output.turntable ? render_turntable_camera : render_camera)(
-                result->mesh, settings, result->cells[i].view, &room, camera, error);
+            status = settings->output.plays
+                         ? render_play_camera(result, result->cells[i].view, &room, camera, error)
+                         : (settings->output.turntable ? render_turntable_camera : render_camera)(
+                               result->mesh, settings, result->cells[i].view, &room, camera, error);
             widen(&widest, &room, camera->orthographic_height * settings->camera.zoom.value);
         }
         if (pass == AIM_ROOM) {

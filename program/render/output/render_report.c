@@ -15,6 +15,7 @@
 #include "import/importers.h"
 #include "render/scene/cameras.h"
 #include "render/scene/prepare.h"
+#include "render/scene/winding.h"
 #include "render/settings/flag_values.h"
 
 static cJSON *hash_text(uint64_t hash) {
@@ -60,11 +61,6 @@ static cJSON *exponents_array(const burnish_mesh *mesh) {
     return array;
 }
 
-/* 1: the object is not in the picture, or looks like the background. */
-static int is_blank(const render_cell *cell) {
-    return cell->report.covered_pixels == 0 || cell->has_one_color;
-}
-
 /* The keys that a single picture and a cell share. */
 static void add_picture(cJSON *object, const render_result *result, const render_cell *cell,
                         int *failed) {
@@ -108,7 +104,7 @@ static void add_cells(cJSON *root, const render_result *result, int *failed) {
         cli_json_add(object, "width", cJSON_CreateNumber(cell->image.width), failed);
         cli_json_add(object, "height", cJSON_CreateNumber(cell->image.height), failed);
         add_picture(object, result, cell, failed);
-        cli_json_add(object, "blank", cJSON_CreateBool(is_blank(cell)), failed);
+        cli_json_add(object, "blank", cJSON_CreateBool(render_is_blank(result, cell)), failed);
         cli_json_add(object, "hash", hash_text(cell->hash), failed);
         cli_json_add(cells, NULL, object, failed);
     }
@@ -133,27 +129,11 @@ static cJSON *output_name(const render_result *result, const char *path) {
     return cli_json_text(result->written ? path : NULL);
 }
 
-/* Whether the surface is inside out; null if it is not closed: its area vectors do not add up to 0.
- */
+/* Whether the surface is inside out; null if it is not closed. */
 static cJSON *inside_out(const burnish_mesh_view *view, int has_faces) {
-    double sum[3] = {0}, area = 0, volume = 0;
-    for (size_t t = 0; t < view->triangle_count; ++t) {
-        double p[3][3], normal[3];
-        for (int i = 0; i < 9; ++i) {
-            p[i / 3][i % 3] =
-                (double)view->positions[3 * (size_t)view->indices[3 * t + (size_t)i / 3] + i % 3];
-        }
-        for (int k = 0; k < 3; ++k) {
-            const int a = (k + 1) % 3, b = (k + 2) % 3;
-            normal[k] = (p[1][a] - p[0][a]) * (p[2][b] - p[0][b]) -
-                        (p[1][b] - p[0][b]) * (p[2][a] - p[0][a]);
-            sum[k] += normal[k];
-            volume += normal[k] * p[0][k];
-        }
-        area += sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-    }
-    const double rest = sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
-    return has_faces && rest <= 1e-6 * area ? cJSON_CreateBool(volume < 0) : cJSON_CreateNull();
+    const render_winding winding = render_measure_winding(view);
+    return has_faces && winding.is_closed ? cJSON_CreateBool(winding.volume < 0)
+                                          : cJSON_CreateNull();
 }
 
 static void add_mesh(cJSON *root, const render_result *result, int *failed) {
@@ -269,6 +249,7 @@ static void add_run(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "hash", hash_text(result->hash), failed);
     cli_json_add(root, "hash_algorithm", cJSON_CreateString("xxh64"), failed);
     cli_json_add(root, "blank", cJSON_CreateBool(result->blank_cells > 0), failed);
+    cli_json_add(root, "legible", cJSON_CreateBool(result->faulty_cells == 0), failed);
     render_add_reference(root, result, failed);
     cli_json_add(root, "warnings", cli_json_texts(result->warnings.count, result->warnings.lines),
                  failed);
@@ -291,6 +272,8 @@ static burnish_status print_json(FILE *stream, const render_result *result, burn
     if (result->settings->output.turntable) {
         cli_json_add(root, "frames", cJSON_CreateNumber(result->settings->output.frames), &failed);
         cli_json_add(root, "fps", cJSON_CreateNumber(result->settings->output.fps), &failed);
+        const double length = burnish_mesh_get_info(result->mesh)->animation_seconds;
+        cli_json_add(root, "animation_seconds", cli_json_seconds(length), &failed);
     }
     if (result->settings->output.planes.count > 0) {
         add_planes(root, result, &failed);

@@ -54,11 +54,13 @@ typedef struct render_tones {
 } render_tones;
 
 /* One pass over the image.
- *   coverage  of each pixel, if there is a ground; or NULL
+ *   coverage  of each pixel, if there is a ground; or NULL: shadows on it count as the object's
  *   covered   pixels that show the object
+ *   step      1: every pixel; N: every N-th
  *   options   for the background */
 render_tones render_measure_tones(const burnish_image *image, const uint8_t *coverage,
-                                  uint64_t covered, const burnish_render_options *options);
+                                  uint64_t covered, uint64_t step,
+                                  const burnish_render_options *options);
 
 /* 1: all pixels are equal. */
 int render_has_one_color(const burnish_image *image);
@@ -76,9 +78,9 @@ typedef struct render_cell {
     uint64_t hash;
     render_tones tones; /* with --json */
     uint8_t *coverage;  /* with --json and a ground, until tones are measured */
-    int has_one_color;  /* with --json and --fail-on-blank */
-    char label[256];    /* UTF-8 */
-    int plate;          /* of --plate=sheet; else 0 */
+    int has_one_color;
+    char label[256]; /* UTF-8 */
+    int plate;       /* of --plate=sheet; else 0 */
 } render_cell;
 
 /* Wall time of the phases, except start, which is processor time before loading. load is read plus
@@ -90,7 +92,7 @@ typedef struct render_seconds {
 /* The results of a run. */
 typedef struct render_result {
     render_settings *settings;
-    render_settings given; /* with --plate=sheet: before they are prepared for a mesh */
+    render_settings given; /* with --plate=sheet and --play: before they are prepared for a mesh */
     burnish_mesh *mesh;
     burnish_render_options *options;
     burnish_renderer *renderer;
@@ -104,8 +106,9 @@ typedef struct render_result {
     int columns;
     burnish_projection projection; /* of --views=third-angle and first-angle */
     render_environment environment;
-    font *font;            /* of labels; NULL: burnish's own */
-    size_t blank_cells;    /* blank cells */
+    font *font; /* of labels; NULL: burnish's own */
+    size_t blank_cells;
+    size_t faulty_cells;   /* blank ones and others with a warning of render_warn_illegible */
     int written;           /* 1: the output is written under a temporary name */
     double start, encoded; /* clock, in seconds: before loading, after encoding */
     render_seconds seconds;
@@ -144,6 +147,15 @@ void render_add_reference(cJSON *root, const render_result *result, int *failed)
 /* If the picture does not pass, prints one line on standard error and returns 1. */
 int render_report_difference(const render_result *result);
 
+/* ---- Whether it shows the object (legible.c) ---- */
+
+/* 1: the cell has one colour, or neither a pixel of the object nor a line. */
+int render_is_blank(const render_result *result, const render_cell *cell);
+
+/* Warns, once, about a cell that is blank, nearly black, like its background or a speck, and names a
+ * flag that helps. Needs its image, without annotations, and its report. */
+void render_warn_illegible(render_result *result, const render_cell *cell);
+
 /* ---- Drawing it (draw.c) ---- */
 
 /* Aims and draws all cells, composes them, and draws planes: sets result->picture, its hash and
@@ -174,6 +186,17 @@ burnish_status render_turntable_camera(const burnish_mesh *mesh, const render_se
  *   ready  receives result when all frames are written */
 burnish_status render_write_turntable(render_result *result, burnish_file_check *ready,
                                       burnish_error *error);
+
+/* ---- Frames of the input's animation (play.c) ---- */
+
+/* The camera for all frames. Errors: ARGUMENT (no animation), and as for loading and cameras. */
+burnish_status render_play_camera(const render_result *result, render_view view, render_room *room,
+                                  burnish_camera *camera, burnish_error *error);
+
+/* Draws a frame with the cell's camera, which moves with the origin of the frame's mesh. Errors: as
+ * for loading, preparing and drawing. */
+burnish_status render_draw_moment(render_result *result, render_cell *cell, int frame,
+                                  burnish_error *error);
 
 /* ---- Cells of a sheet (sheet_cells.c) ---- */
 

@@ -80,22 +80,24 @@ static double contrast_of(double a, double b) {
  * alpha is 0; on a ground coverage identifies them. An environment has many colours: then
  * nothing is measured. */
 render_tones render_measure_tones(const burnish_image *image, const uint8_t *coverage,
-                                  uint64_t covered, const burnish_render_options *options) {
+                                  uint64_t covered, uint64_t step,
+                                  const burnish_render_options *options) {
     const size_t channels = (size_t)image->channels;
     const uint64_t all = (uint64_t)image->width * (uint64_t)image->height;
-    const uint8_t *ground = options->background, *end = image->pixels + all * channels;
+    const uint8_t *ground = options->background;
     const int has_ground = channels == 3;
     luminance_table table;
     tone_sums sums = {0};
     fill_table(&table);
-    for (const uint8_t *pixel = image->pixels; pixel < end; pixel += channels) {
-        if (coverage ? *coverage++ > 0 : has_ground || pixel[3] > 0) {
+    for (uint64_t i = 0; i < all; i += step) {
+        const uint8_t *pixel = image->pixels + i * channels;
+        if (coverage ? coverage[i] > 0 : has_ground || pixel[3] > 0) {
             const tone_sums one = sums_of(&table, ground, pixel);
             add_one(&sums, &one);
         }
     }
     const tone_sums empty = sums_of(&table, ground, ground);
-    subtract_pixels(&sums, &empty, has_ground && !coverage ? all - covered : 0);
+    subtract_pixels(&sums, &empty, has_ground && !coverage ? (all - covered) / step : 0);
     const double count = (double)sums.count, none = (double)NAN;
     if (sums.count == 0 || options->background_environment) {
         return (render_tones){none, none, none, none};

@@ -255,8 +255,12 @@ static burnish_status draw_frame(stream *s, int frame, burnish_error *error) {
     }
     s->drawn = frame;
     cell->camera = s->first;
-    orbit(result->mesh, result->settings, frame, &cell->camera);
-    const burnish_status status = render_draw_frame(result, cell, error);
+    if (!result->settings->output.plays) {
+        orbit(result->mesh, result->settings, frame, &cell->camera);
+    }
+    const burnish_status status = result->settings->output.plays
+                                      ? render_draw_moment(result, cell, frame, error)
+                                      : render_draw_frame(result, cell, error);
     cell->camera = s->first; /* the report is about the first frame */
     cell->report = first;
     return status;
@@ -414,8 +418,8 @@ static burnish_status write_frames(stream *s, burnish_error *error) {
     const render_settings *settings = s->result->settings;
     const char *path = render_output_path(&settings->output);
     const char *container = picture_container((picture_format)settings->output.format);
-    s->has_progress = !settings->job.quiet && isatty(STDERR_FILENO);
-    s->taken = s->animation->out.size; /* the header comes with the first frame */
+    s->taken = settings->output.plays ? 0 : s->animation->out.size; /* the header comes with the
+                                                                       first frame */
     burnish_status status =
         container && !sandbox_is_worker() /* the broker runs ffmpeg */
             ? picture_write_video(container, path, take_bytes, s, finish_file, error)
@@ -435,7 +439,10 @@ burnish_status render_write_turntable(render_result *result, burnish_file_check 
     const render_settings *settings = result->settings;
     const burnish_image *image = &result->cells[0].image;
     picture_palette palette;
-    stream s = {.result = result, .ready = ready, .first = result->cells[0].camera};
+    stream s = {.result = result,
+                .ready = ready,
+                .first = result->cells[0].camera,
+                .has_progress = !settings->job.quiet && isatty(STDERR_FILENO)};
     const picture_animation_options options = {.format = (picture_format)settings->output.format,
                                                .width = image->width,
                                                .height = image->height,
@@ -444,6 +451,7 @@ burnish_status render_write_turntable(render_result *result, burnish_file_check 
                                                .fps = settings->output.fps,
                                                .quality = settings->output.quality,
                                                .threads = settings->job.threads,
+                                               .is_whole = settings->output.plays,
                                                .palette = &palette};
     burnish_status status = settings->output.format == PICTURE_GIF
                                 ? choose_palette(&s, &palette, error)
@@ -451,9 +459,15 @@ burnish_status render_write_turntable(render_result *result, burnish_file_check 
     if (status == BURNISH_STATUS_OK) {
         status = picture_animation_create(&options, &s.animation, error);
     }
-    if (settings->job.threads != 1) {
+    if (settings->job.threads != 1 && !settings->output.plays) {
         s.shown = *image;
         s.shown.pixels = malloc(image_size(image));
+    }
+    /* before the output begins: in a sandbox, loading frames can request files of the process that
+     * receives the output */
+    while (status == BURNISH_STATUS_OK && settings->output.plays &&
+           s.written <= settings->output.frames) {
+        status = encode_next(&s, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = write_frames(&s, error);

@@ -237,7 +237,7 @@ burnish_render_options render_make_options(const render_settings *settings) {
     options.specular_model = (burnish_specular_model)shading->equation;
     options.local_viewer = shading->viewer;
     options.ignore_colors |= shading->color.given || shading->no_colors;
-    options.cull_back_faces = picture->cull_back_faces;
+    options.cull_back_faces = picture->cull_back_faces > 0;
     options.transparent = picture->background.transparent;
     options.background_environment = picture->background.environment;
     if (shading->environment.name) { /* instead of the rig */

@@ -4,6 +4,7 @@
 #include "render/scene/color.h"
 #include "render/scene/library_options.h"
 #include "render/scene/up.h"
+#include "render/scene/winding.h"
 
 void render_warn_of_mesh(render_warnings *warnings, const burnish_mesh *mesh) {
     for (size_t i = 0; i < burnish_mesh_get_warning_count(mesh); ++i) {
@@ -198,6 +199,8 @@ burnish_status render_prepare_picture(render_scene *scene, burnish_error *error)
         status = add_file_lights(scene, error);
     }
     scene->options->ground |= wants_ground(scene);
+    scene->options->cull_back_faces |=
+        settings->picture.cull_back_faces == 0 && render_is_room(scene->mesh);
     if (status == BURNISH_STATUS_OK) {
         status = drop_shadow(scene, error);
     }

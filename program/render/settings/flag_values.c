@@ -73,8 +73,8 @@ burnish_status render_flag_no_background(const cli_flag *flag, const char *text,
     return BURNISH_STATUS_OK;
 }
 
-burnish_status render_flag_no_ground(const cli_flag *flag, const char *text, void *target,
-                                     burnish_error *error) {
+burnish_status render_flag_never(const cli_flag *flag, const char *text, void *target,
+                                 burnish_error *error) {
     (void)flag, (void)text, (void)error;
     *(int *)target = -1;
     return BURNISH_STATUS_OK;

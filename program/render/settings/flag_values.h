@@ -27,7 +27,7 @@ extern const cli_word render_look_words[];  /* burnish_look */
 /* The comment names the type of the target. */
 cli_handler render_flag_background;    /* render_background */
 cli_handler render_flag_no_background; /* render_background */
-cli_handler render_flag_no_ground;     /* int */
+cli_handler render_flag_never;         /* int */
 cli_handler render_flag_rows;          /* render_rows */
 cli_handler render_flag_views;         /* render_views */
 cli_handler render_flag_lobes;         /* render_lobes */

@@ -171,7 +171,7 @@ typedef struct render_picture_settings {
     int sides[2]; /* --width and --height, which replace the size; 0: not given */
     render_rows rows;
     int samples;
-    int cull_back_faces;
+    int cull_back_faces; /* 0: in rooms; -1: never */
     render_background background;
     burnish_annotation_flags annotations;
 
@@ -223,6 +223,7 @@ typedef struct render_output_settings {
     render_planes planes;
 
     const char *turntable; /* NULL: a picture */
+    int plays;             /* 1: it shows the input's animation instead of a turn */
     int frames, fps;
 
     const char *json; /* file of the report; NULL: none */

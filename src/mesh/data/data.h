@@ -63,6 +63,8 @@ typedef struct burnish_mesh_data {
     float up_axis[3];                   /* unit length; all 0: the format's */
     const char *unit;                   /* burnish_mesh_info.unit */
     int is_thumbnail;                   /* burnish_mesh_info.is_thumbnail */
+    int is_one_sided;                   /* burnish_mesh_info.is_one_sided */
+    double animation_seconds;           /* burnish_mesh_info.animation_seconds */
 
     uint16_t *triangle_materials; /* 1 per triangle, in range; NULL: all have material 0 */
     size_t triangle_material_capacity;

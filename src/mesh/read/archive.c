@@ -43,6 +43,7 @@ typedef struct choice {
     burnish_format format;        /* its */
     size_t count, files;          /* files: of all kinds */
     int are_several;              /* 1: their names differ not only in the extension */
+    size_t twins;                 /* of the best one: parts of the same name */
     char list[240];               /* their names, or those of other files */
     size_t listed;
 } choice;
@@ -66,6 +67,11 @@ static void consider(choice *found, const burnish_zip_part *part, const char *na
                      burnish_format format) {
     if (found->count > 0) {
         const part_name best = name_of(found->part);
+        if (strcmp(name, best.text) == 0) {
+            found->twins += 1;
+            return;
+        }
+        found->are_several |= format == found->format; /* in another folder */
         const char *one = base_of(name), *other = base_of(best.text);
         const size_t stem = (size_t)(strrchr(one, '.') - one);
         found->are_several |= stem != (size_t)(strrchr(other, '.') - other) ||
@@ -191,6 +197,11 @@ burnish_status burnish_archive_open(burnish_archive *archive, burnish_reader_inp
         const choice found = find_models(
             &archive->zip, wanted == BURNISH_FORMAT_3MF ? BURNISH_FORMAT_AUTO : wanted, member);
         status = check_choice(archive, &found, member);
+        if (status == BURNISH_STATUS_OK && found.twins > 0) {
+            burnish_reader_warn(&archive->reader, NULL,
+                                "%zu files in the archive have one name (%s); the first is drawn",
+                                found.twins + 1, found.list);
+        }
         if (status == BURNISH_STATUS_OK) {
             status = take_model(archive, found.part, input);
         }

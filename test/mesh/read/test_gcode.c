@@ -81,6 +81,23 @@ static void test_sizes(void) {
            burnish_mesh_get_info(line)->line_count == 4);
 }
 
+/* Words without a number are left out, with one warning: how many, and where the first is. */
+static void test_odd_numbers(void) {
+    OWNED_MESH *mesh =
+        load(HEAD "M83\nG28 X Y\nG1 Z.2\nG1 X10 E1\nG1 Xnan Y10 E1\nG1 X20000000 E1\n"
+                  "G1 X0 Y{y} E1\nG1 Y0 E1\n",
+             NULL);
+    const char *warning = burnish_mesh_get_warning(mesh, 0);
+    CHECK(
+        burnish_mesh_get_warning_count(mesh) == 1 &&
+            strcmp(warning,
+                   "a.gcode:8: X has no number below 1e7; it was left out (and 2 more like it)") ==
+                0,
+        "%s", warning);
+    check_box(mesh, (double[]){-half_width, -half_width, 0, 10 + half_width, 10 + half_width, 0.2},
+              0.05, "a square");
+}
+
 /* Arcs around 0, 0 from 10, 0: their ends, and the way around. */
 static void test_arcs(void) {
     static const struct {
@@ -218,6 +235,7 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_forms());
     RUN(test_sizes());
+    RUN(test_odd_numbers());
     RUN(test_arcs());
     RUN(test_contents());
     RUN(test_reduction());

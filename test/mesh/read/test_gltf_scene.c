@@ -196,6 +196,7 @@ static void test_animation(void) {
         CHECK_OK(read_posed(rest, &binary, moments[i].time, moments[i].animation), fault);
         CHECK(corner_is(0, 0, moments[i].x, 0, 0), "%zu: %g", i,
               (double)burnish_positions(&got)[0]);
+        CHECK1(got.animation_seconds == 3); /* whatever the time */
     }
     CHECK_OK(read_posed(rest, &binary, BURNISH_AT_REST, NULL), fault);
     CHECK1(corner_is(0, 0, 0, 7, 0));

@@ -684,6 +684,10 @@ static void test_archives(void) {
         {"x/a3.obj x/b2.obj", "in/kit.zip", 0,
          "in/kit.zip: an archive of several models (x/a3.obj, x/b2.obj); name one, as in "
          "kit.zip:part.stl"},
+        {"x/a3.obj y/a3.obj", "kit.zip:a3.obj", 0,
+         "kit.zip:a3.obj: an archive of several models (x/a3.obj, y/a3.obj); name one"},
+        {"x/a3.obj x/a3.obj x/a3.obj", "kit.zip", 3,
+         "kit.zip: 3 files in the archive have one name (x/a3.obj); the first is drawn"},
         {"x/a3.obj", "kit.zip:b", 0,
          "kit.zip:b: no model of this name is in the archive (m/a.mtl, x/a3.obj); name one"},
         {"x/a.fbx .a.obj", "kit.zip", 0,

@@ -332,11 +332,14 @@ static file_bytes find_file(burnish_reader *reader, const char *name, burnish_er
     if (burnish_companion_path(reader->input, spelled, path)) {
         file = open_file(reader, path, why);
     } else {
-        const int is_lost =
-            *spelled == '/' || (*spelled && spelled[1] == ':'); /* often in a folder near by */
-        burnish_companion_outside(reader->input, is_lost ? "../" : spelled, why);
+        burnish_companion_outside(reader->input, spelled, why);
     }
     const char *slash = strrchr(spelled, '/'), *base = slash ? slash + 1 : spelled;
+    if (*spelled == '/' || (*spelled && spelled[1] == ':')) {
+        burnish_fail(why, BURNISH_STATUS_READ,
+                     "it is a path of another machine; put the texture next to the file, or into "
+                     "textures/ there");
+    }
     const int is_name = *base && strcmp(base, ".") != 0 && strcmp(base, "..") != 0;
     if (!file.is_found && slash && is_name && reader->mesh->memory.status == BURNISH_STATUS_OK &&
         burnish_companion_path(reader->input, base, path)) {

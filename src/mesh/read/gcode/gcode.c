@@ -256,6 +256,7 @@ static burnish_status gcode_read(burnish_reader *reader) {
     }
     reader->mesh->unit = "millimeter";
     status = read_text(&g);
+    burnish_reader_warn_group(reader, &g.odd);
     burnish_gcode_flush(&g);
     const int is_unwanted = reader->input->options->thumbnail == BURNISH_THUMBNAIL_ONLY;
     if (status == BURNISH_STATUS_OK && (is_unwanted || g.line_count == 0)) {

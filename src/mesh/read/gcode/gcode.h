@@ -67,6 +67,7 @@ typedef struct burnish_gcode {
     uint8_t colors[BURNISH_GCODE_TOOLS][4]; /* alpha 0: none */
     double lengths[BURNISH_GCODE_TOOLS];    /* of filament */
     float diameter;                         /* of filament */
+    burnish_warning_group odd;              /* words of moves */
     burnish_gcode_picture picture, in_picture;
     int has_odd_picture; /* in a format that can't be read */
     int is_over;         /* 1: the rest of the file is not needed */

@@ -414,6 +414,10 @@ static void read_words(burnish_gcode *g, const uint8_t *p, const uint8_t *end) {
             code = value < 10000 ? (int)(10 * value + 0.5) : 99999;
             continue;
         }
+        if (size == 0 && command == 'G' && code <= 30 && strchr("XYZEIJR", letter)) {
+            burnish_reader_note(g->reader, &g->odd, p - 1,
+                                "%c has no number below 1e7; it was left out", letter);
+        }
         w.given |= size > 0 ? BIT(letter) : 0;
         w.values[letter - 'A'] = value;
     }

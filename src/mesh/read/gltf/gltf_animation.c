@@ -64,8 +64,10 @@ static int find_keys(burnish_gltf *gltf, uint32_t sampler, unsigned widths, gltf
     if (!keys->values) {
         return 0;
     }
-    double start, end = 0;
+    double start, end = 0, *longest = &gltf->reader->mesh->animation_seconds;
     size_t first = 0, last = times->count - 1;
+    burnish_gltf_element(times, last, &end);
+    *longest = end > *longest && end <= 1e9 ? end : *longest;
     while (last - first > 1) { /* the last keyframe that is not after the time */
         const size_t middle = first + (last - first) / 2;
         burnish_gltf_element(times, middle, &start);
