@@ -54,6 +54,8 @@ extern "C" {
     X(SPLAT, splat, ".splat", 0, 1, 0)                                                             \
     X(SPZ, spz, ".spz", 0, 1, 0)                                                                   \
     X(BMS, bms, ".bms", 0, 1, 0)                                                                   \
+    X(SCENE, scene, ".scene.json", 0, 0, 1)                                                        \
+    X(URDF, urdf, ".urdf", 0, 0, 1)                                                                \
     X(PCD, pcd, ".pcd", 0, 1, 0)                                                                   \
     X(LAS, las, ".las", 0, 0, 1)                                                                   \
     X(XYZ, xyz, ".xyz .pts", 0, 0, 1)
@@ -146,11 +148,12 @@ typedef struct burnish_file_loader {
     void *user_data;
 } burnish_file_loader;
 
-/* Decodes compressed data that burnish does not decode itself.
+/* Decodes compressed data, and files, that burnish does not decode itself.
  *   decode     called once per file with all streams of a form. The result stays valid until
  *              release. It is checked like a file. An error ends loading
  *     form     "draco": primitives of KHR_draco_mesh_compression in glTF. docs/importers.md
- *              describes the layout of bytes and decoded
+ *              describes the layout of bytes and decoded. Another: the extension of a file that a
+ *              scene names, such as "dae", of which `bytes` is the whole; decoded is a mesh stream
  *   release    may be NULL
  *   user_data  passed to both */
 typedef struct burnish_stream_decoder {
@@ -159,6 +162,12 @@ typedef struct burnish_stream_decoder {
     void (*release)(void *user_data, const uint8_t *decoded, size_t decoded_size);
     void *user_data;
 } burnish_stream_decoder;
+
+/* The position of a robot's joint: radians, or metres of a prismatic one. */
+typedef struct burnish_joint {
+    char name[128];
+    double value; /* [-1e6, 1e6] */
+} burnish_joint;
 
 /* Options for loading. Start from burnish_load_options_default(). */
 typedef struct burnish_load_options {
@@ -233,6 +242,10 @@ typedef struct burnish_load_options {
                            such as "models/chair", from which ".." leads up. NULL: the loader
                            has no files above the input's folder */
     burnish_stream_decoder decoder; /* decode NULL: files that need it fail with FORMAT */
+    const burnish_joint
+        *joints; /* joint_count joints of a robot (URDF) that are not at 0. A name that
+                                    the robot lacks fails with ARGUMENT; other formats ignore it */
+    size_t joint_count;
 } burnish_load_options;
 
 /* BURNISH_CREASE_AUTO, BURNISH_NORMALS_AUTO, tessellation 16, no extra texture coordinates, no
@@ -538,7 +551,7 @@ typedef struct burnish_part {
     char name[BURNISH_NAME_SIZE]; /* may be "" */
     uint32_t id;                  /* of the object in the file, or its number from 0 */
     uint32_t item; /* of the file, that placed it: negative volumes are subtracted from solids of
-                      the same item */
+                      the same item. Of a scene: its item, from 0, if the item's file has no parts */
     burnish_part_role role;
     int plate;             /* its number; 0: none */
     int filament;          /* from 1; 0: none */

@@ -120,6 +120,26 @@ burnish_status cli_flag_input_format(const cli_flag *flag, const char *text, voi
                           flag->name, text);
 }
 
+burnish_status cli_flag_joint(const cli_flag *flag, const char *text, void *target,
+                              burnish_error *error) {
+    cli_joints *joints = target;
+    burnish_joint joint = {.name = ""};
+    const char *colon = strrchr(text, ':');
+    if (!colon || colon == text || (size_t)(colon - text) >= sizeof joint.name ||
+        !cli_read_reals(colon + 1, strlen(colon + 1), &joint.value, 1) ||
+        !(joint.value >= -1e6 && joint.value <= 1e6)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%.60s\" is not NAME:VALUE, such as elbow:0.5", flag->name, text);
+    }
+    if (joints->count == CLI_JOINTS_MAX) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--%s: more than %d joints; omit some",
+                        flag->name, CLI_JOINTS_MAX);
+    }
+    memcpy(joint.name, text, (size_t)(colon - text));
+    joints->items[joints->count++] = joint;
+    return BURNISH_STATUS_OK;
+}
+
 void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEEDS]) {
     const burnish_mesh_info *info = mesh ? burnish_mesh_get_info(mesh) : NULL;
     needs[0] = (cli_need){"animation,animation-time", info && info->format == BURNISH_FORMAT_GLTF,
@@ -139,6 +159,10 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
         "thumbnail",
         info && (info->format == BURNISH_FORMAT_3MF || info->format == BURNISH_FORMAT_GCODE),
         "only 3MF files and G-code hold pictures of themselves; omit the flag"};
+    needs[6] = (cli_need){
+        "joint",
+        info && (info->format == BURNISH_FORMAT_URDF || info->format == BURNISH_FORMAT_SCENE),
+        "only robots (URDF) have joints; omit the flag"};
 }
 
 burnish_status cli_flag_plate(const cli_flag *flag, const char *text, void *target,
@@ -191,6 +215,8 @@ burnish_load_options cli_load_options(const cli_input *input) {
     options.max_input_bytes = input->max_input_bytes;
     options.ignore_textures = input->no_textures;
     options.max_texture_pixels = input->max_texture_pixels;
+    options.joints = input->joints.items;
+    options.joint_count = input->joints.count;
     return options;
 }
 

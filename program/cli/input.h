@@ -40,6 +40,12 @@ size_t cli_stem_length(const char *base);
 burnish_status cli_refuse_foreign(int format, burnish_error *error);
 
 enum { CLI_NAMES_SIZE = 1024 }; /* of all names of --hide or --only */
+/* The joints of --joint. */
+enum { CLI_JOINTS_MAX = 32 };
+typedef struct cli_joints {
+    burnish_joint items[CLI_JOINTS_MAX];
+    size_t count;
+} cli_joints;
 
 typedef struct cli_input {
     int format; /* burnish_format or cli_foreign */
@@ -53,9 +59,12 @@ typedef struct cli_input {
     cli_real point_size;
     uint64_t max_triangles, max_input_bytes, max_texture_pixels;
     uint64_t max_memory; /* of loading and drawing: 0: no limit */
+    cli_joints joints;
+    int scene;         /* 1: all inputs are one scene */
+    const char *items; /* of this scene, as JSON; NULL: one input (import/scene.h) */
 } cli_input;
 
-/* The library's options for these flags. A cli_foreign is kept as the format, for import_load: the
+/* The library's options for these flags, which refer to the joints. A cli_foreign is kept as the format, for import_load: the
  * library does not know it. */
 burnish_load_options cli_load_options(const cli_input *input);
 
@@ -84,6 +93,7 @@ extern const cli_word cli_thumbnails[];
 cli_handler cli_flag_input_format;
 cli_handler cli_flag_plate;          /* int in [low, high], "all", or "sheet" */
 cli_handler cli_flag_part_names;     /* char[CLI_NAMES_SIZE]: adds names, between commas */
+cli_handler cli_flag_joint;          /* cli_joints */
 cli_handler cli_flag_texture_pixels; /* uint64_t in [low, high], or "auto" */
 
 /* What the flags below need of the input; without a mesh, as if nothing were met. */
@@ -170,6 +180,21 @@ enum { CLI_PLATE_SHEET = -1 };
         "to its own middle, both of bounding boxes. Parts that a negative volume cuts together "   \
         "are moved together, and parts around one point stay in each other.",                      \
     .handler = cli_flag_real, .offset = offsetof(type, member.explode)
+
+#define CLI_JOINT_FLAG(type, member)                                                               \
+    .phases = CLI_PHASE_LOAD, .value_type = CLI_TYPE_NAME, .name = "joint", .value = "NAME:VALUE", \
+    .help = "where a robot's joint is; may be repeated", .repeats = 1, .default_label = "0",       \
+    .manual = "Moves joint _NAME_ of a robot (URDF) to _VALUE_, in radians or, if it slides, in "  \
+              "metres, and with it the joints that follow it. Can be repeated up to 32 times.",    \
+    .handler = cli_flag_joint, .offset = offsetof(type, member.joints)
+
+#define CLI_SCENE_FLAG(type, member)                                                               \
+    .phases = CLI_PHASE_LOAD, .name = "scene", .help = "all INPUTs together, in one scene",        \
+    .manual = "Puts every _INPUT_ into one mesh, each in its own coordinates, or scaled to the "   \
+              "unit of the first if both state one; up is the axis of the first. *--root* is, by " \
+              "default, the deepest folder that contains them all. A scene with places and "       \
+              "colours is a file: docs/formats.md.",                                               \
+    .handler = cli_flag_switch, .offset = offsetof(type, member.scene)
 
 #define CLI_THUMBNAIL_FLAG(type, member)                                                           \
     .phases = CLI_PHASE_LOAD, .name = "thumbnail", .value = "WHEN",                                \

@@ -1,4 +1,4 @@
-/* Decodes Draco streams in glTF through an importer. */
+/* Decodes Draco streams in glTF, and files of scenes, through importers. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,23 +21,34 @@ static const import_program draco = {.name = "burnish-import-draco",
                                      .otherwise =
                                          "export the file without KHR_draco_mesh_compression"};
 
-burnish_status import_decode_file(const char *name, int file, import_sink sink,
-                                  burnish_error *error) {
-    return import_run(&draco, name, "", file, UINT64_MAX, sink, error);
+static int is_draco(const char *form) {
+    return strcmp(form, draco.argument) == 0;
 }
 
-burnish_status import_decode_bytes(const char *name, const void *bytes, size_t size,
-                                   import_stream *stream, burnish_error *error) {
+int import_can_decode(const char *form) {
+    return is_draco(form) || import_of_extension(form);
+}
+
+burnish_status import_decode_file(const char *name, const char *form, int file, import_sink sink,
+                                  burnish_error *error) {
+    const import_program *importer = is_draco(form) ? &draco : import_of_extension(form);
+    return importer ? import_run(importer, name, form, file, UINT64_MAX, sink, error)
+                    : cli_fail(error, BURNISH_STATUS_FORMAT,
+                               "neither its name nor its first bytes identify the format");
+}
+
+burnish_status import_decode_bytes(const char *name, const char *form, const void *bytes,
+                                   size_t size, import_stream *stream, burnish_error *error) {
     const int file = cli_unnamed_file();
     if (file < 0 || !cli_write_all(file, bytes, size)) {
         if (file >= 0) {
             close(file);
         }
-        return cli_fail(error, BURNISH_STATUS_MEMORY, "%.200s: no room for %s: %s", name,
-                        draco.name, strerror(errno));
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "%.200s: no room for an importer: %s", name,
+                        strerror(errno));
     }
     burnish_status status =
-        import_decode_file(name, file, (import_sink){import_keep, stream}, error);
+        import_decode_file(name, form, file, (import_sink){import_keep, stream}, error);
     close(file);
     return status == BURNISH_STATUS_MEMORY && stream->is_short ? BURNISH_STATUS_OK : status;
 }
@@ -61,13 +72,12 @@ static burnish_status decode_stream(void *user_data, const char *form, const voi
     const import_decoding *decoding = user_data;
     const char *name = decoding->name;
     import_stream stream = {0};
-    (void)form; /* there is one */
-    burnish_status status = decoding->decode(name, bytes, size, &stream, error);
-    if (status == BURNISH_STATUS_OK && (stream.is_short || stream.size < 4 ||
-                                        memcmp(stream.bytes,
-                                               "\x89"
-                                               "BMS",
-                                               4) == 0)) {
+    burnish_status status = decoding->decode(name, form, bytes, size, &stream, error);
+    if (status == BURNISH_STATUS_OK &&
+        (stream.is_short || (is_draco(form) && (stream.size < 4 || memcmp(stream.bytes,
+                                                                          "\x89"
+                                                                          "BMS",
+                                                                          4) == 0)))) {
         status = take_error(name, &stream, error);
     }
     if (status != BURNISH_STATUS_OK) {

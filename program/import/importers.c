@@ -53,6 +53,12 @@ static const import_program *find_word(const char *word) {
     return NULL;
 }
 
+const import_program *import_of_extension(const char *extension) {
+    char word[IMPORT_EXTENSION_SIZE + 4];
+    snprintf(word, sizeof word, " .%.*s ", IMPORT_EXTENSION_SIZE, extension);
+    return find_word(word);
+}
+
 #ifndef _WIN32
 
 const import_program *import_find(const char *name) {

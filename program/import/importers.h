@@ -22,6 +22,9 @@ typedef struct import_program {
 enum { IMPORT_EXTENSION_SIZE = 12 };
 void import_get_extension(const char *name, char extension[IMPORT_EXTENSION_SIZE]);
 
+/* The importer of an extension in lower case; NULL: there is none. */
+const import_program *import_of_extension(const char *extension);
+
 /* The importer for a name's extension; NULL: burnish reads it itself, or it is unknown. */
 const import_program *import_find(const char *name);
 

@@ -121,6 +121,28 @@ static const import_source *source = &files;
 
 /* ---- Any source ---- */
 
+/* Loads bytes of a format; the files that they name are those that `input` could. */
+static burnish_status load_beside(const char *input, const void *bytes, size_t size,
+                                  burnish_format format, const burnish_load_options *options,
+                                  burnish_mesh **mesh, burnish_error *error) {
+    burnish_load_options handed = *options;
+    char path[BURNISH_INPUT_PATH];
+    int folder = -1;
+    burnish_status status = BURNISH_STATUS_OK;
+    handed.format = format;
+    if (!source->files) {
+        status = folder_open(input, options->root, &folder, path, &handed.folder, error);
+        handed.referenced_files = folder_loader(&folder);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = burnish_mesh_load_memory(bytes, size, input, &handed, mesh, error);
+    }
+    if (folder >= 0) {
+        close(folder);
+    }
+    return status;
+}
+
 /* Runs the importer and builds the mesh of its stream. */
 static burnish_status run_importer(const import_program *importer, const char *extension,
                                    const char *input, const burnish_load_options *options,
@@ -150,6 +172,13 @@ static burnish_status run_importer(const import_program *importer, const char *e
 
 #else /* no importers */
 
+static burnish_status load_beside(const char *input, const void *bytes, size_t size,
+                                  burnish_format format, const burnish_load_options *options,
+                                  burnish_mesh **mesh, burnish_error *error) {
+    (void)input, (void)bytes, (void)size, (void)format, (void)options, (void)mesh;
+    return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--scene: is not supported on this system");
+}
+
 static const import_source files = {burnish_mesh_load, NULL, NULL, NULL, NULL};
 static const import_source *source = &files;
 
@@ -162,6 +191,27 @@ static burnish_status run_importer(const import_program *importer, const char *e
 
 #endif
 
+/* What the source has for the input. */
+static burnish_load_options hand_options(const burnish_load_options *options, const char *input,
+                                         const import_decoding *decoding) {
+    burnish_load_options handed = *options;
+    handed.decoder = import_decoder(decoding);
+    if (source->files) {
+        handed.referenced_files = source->files(input);
+        handed.folder = source->folder;
+    }
+    return handed;
+}
+
+burnish_status import_load_items(const char *input, const char *items,
+                                 const burnish_load_options *options, burnish_mesh **mesh,
+                                 burnish_error *error) {
+    const import_decoding decoding = {source->decode, input};
+    const burnish_load_options handed = hand_options(options, input, &decoding);
+    *mesh = NULL;
+    return load_beside(input, items, strlen(items), BURNISH_FORMAT_SCENE, &handed, mesh, error);
+}
+
 void import_set_source(const import_source *other) {
     source = other;
 }
@@ -172,15 +222,10 @@ burnish_status import_load(const char *input, const burnish_load_options *option
     const int format = (int)options->format;
     const import_program *importer = import_choose(input, format, extension);
     const import_decoding decoding = {source->decode, input};
-    burnish_load_options handed = *options;
+    burnish_load_options handed = hand_options(options, input, &decoding);
     burnish_error native;
     burnish_status status = BURNISH_STATUS_OK;
     *mesh = NULL;
-    handed.decoder = import_decoder(&decoding);
-    if (source->files) {
-        handed.referenced_files = source->files(input);
-        handed.folder = source->folder;
-    }
     if (importer && burnish_archive_member(input)) {
         return cli_fail(error, BURNISH_STATUS_FORMAT,
                         "%.200s: %s reads no archives; unpack the archive", import_shown(input),

@@ -29,6 +29,11 @@ void import_set_source(const import_source *source);
 burnish_status import_load(const char *input, const burnish_load_options *options,
                            burnish_mesh **mesh, burnish_error *error);
 
+/* Loads a scene (docs/formats.md), whose text is `items`, as if it were next to the file `input`. */
+burnish_status import_load_items(const char *input, const char *items,
+                                 const burnish_load_options *options, burnish_mesh **mesh,
+                                 burnish_error *error);
+
 /* Runs import_run on `path`, or on its open descriptor `held`; -1: none. Standard input is copied to
  * an unnamed file if it is not a file or was partly read: at most max_bytes and 1 GiB, since a
  * stream may be endless. Errors: also READ, LIMIT, MEMORY. */

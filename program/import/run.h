@@ -29,16 +29,17 @@ typedef struct import_sink {
 burnish_status import_run(const import_program *importer, const char *name, const char *extension,
                           int input, uint64_t max_bytes, import_sink sink, burnish_error *error);
 
-/* ---- Compressed streams in glTF (decoder.c) ---- */
+/* ---- Compressed streams in glTF, and files of scenes (decoder.c) ---- */
 
-/* Decodes `bytes` of an input into an empty stream. */
-typedef burnish_status import_decode(const char *name, const void *bytes, size_t size,
-                                     import_stream *stream, burnish_error *error);
+/* Decodes `bytes` of an input into an empty stream. The form is one of burnish_stream_decoder. */
+typedef burnish_status import_decode(const char *name, const char *form, const void *bytes,
+                                     size_t size, import_stream *stream, burnish_error *error);
 
-/* The same with burnish-import-draco, from memory and from a file. */
+/* The same with an importer, from memory and from a file; and whether there is one. */
 import_decode import_decode_bytes;
-burnish_status import_decode_file(const char *name, int file, import_sink sink,
+burnish_status import_decode_file(const char *name, const char *form, int file, import_sink sink,
                                   burnish_error *error);
+int import_can_decode(const char *form);
 
 /* A decoder for load options. *decoding must outlive it. */
 typedef struct import_decoding {

@@ -9,6 +9,7 @@
 #include "cli/main.h"
 #include "import/load_input.h"
 #include "info/facts.h"
+#include "render/scene/join_inputs.h"
 
 typedef struct info_settings {
     cli_input load;
@@ -42,6 +43,8 @@ static const cli_flag flags[] = {
     {CLI_ANIMATION_FLAG(info_settings, load)},
     {CLI_VARIANT_FLAG(info_settings, load)},
     {CLI_PLATE_FLAG(info_settings, load)},
+    {CLI_JOINT_FLAG(info_settings, load)},
+    {CLI_SCENE_FLAG(info_settings, load)},
     {CLI_THUMBNAIL_FLAG(info_settings, load)},
     {CLI_STRICT_FLAG(info_settings, load)},
     {CLI_NO_LIBRARIES_FLAG(info_settings, load)},
@@ -250,7 +253,9 @@ static burnish_status print_failure(survey *s, const char *input, burnish_error 
 static burnish_status measure_input(survey *s, const char *input, burnish_error *error) {
     burnish_error failure = {BURNISH_STATUS_OK, ""};
     burnish_mesh *mesh = NULL;
-    burnish_status status = import_load(input, &s->options, &mesh, &failure);
+    const char *items = s->settings->load.items;
+    burnish_status status = items ? import_load_items(input, items, &s->options, &mesh, &failure)
+                                  : import_load(input, &s->options, &mesh, &failure);
     for (size_t i = 0; i < burnish_mesh_get_warning_count(mesh) && !s->settings->quiet; ++i) {
         cli_warn(burnish_mesh_get_warning(mesh, i));
     }
@@ -292,7 +297,7 @@ static burnish_status measure_many(survey *s, const cli_call *call, burnish_erro
 }
 
 static burnish_status work(void *from, cli_call *call, burnish_error *error) {
-    const info_settings *settings = from;
+    info_settings *settings = from;
     const char *path = settings->json ? settings->json : settings->csv;
     struct stat state;
     if (call->operand_count == 0 && !settings->files_from) {
@@ -302,11 +307,17 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
     if (settings->json && settings->csv) {
         return cli_fail(error, BURNISH_STATUS_ARGUMENT, "--csv: not with --json; omit one of them");
     }
+    if (settings->load.scene) {
+        const burnish_status joined = render_join_inputs(call, &settings->load, error);
+        if (joined != BURNISH_STATUS_OK) {
+            return joined;
+        }
+    }
     survey s = {.settings = settings, .options = cli_load_options(&settings->load)};
     s.options.ignore_textures = 1;
     s.options.threads = settings->threads;
     s.options.measure = 1;
-    s.is_many = call->operand_count != 1 || settings->files_from ||
+    s.is_many = (call->operand_count != 1 && !settings->load.scene) || settings->files_from ||
                 (stat(call->operands[0], &state) == 0 && S_ISDIR(state.st_mode));
     cli_list_input_needs(NULL, s.needs);
     s.needs[CLI_INPUT_NEEDS] = (cli_need){"recursive", 0, "no INPUT is a folder; omit the flag"};
@@ -324,6 +335,7 @@ static burnish_status work(void *from, cli_call *call, burnish_error *error) {
                                  settings->load.strict, settings->quiet, error);
     }
     status = cli_output_end(&s.output, path ? path : "-", status, error);
+    render_release_inputs(&settings->load);
     if (status == BURNISH_STATUS_OK && s.failed > 0) {
         fprintf(stderr, "burnish: %zu of %zu failed\n", s.failed, s.done);
         call->exit_code = CLI_EXIT_SOME_FAILED;

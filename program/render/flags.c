@@ -231,6 +231,8 @@ static const cli_flag flags[] = {
      .aliases = "format,render-format",
      .manual = "Format of the picture, regardless of the file extension: for standard output. "
                "*auto*, the default, uses the extension."},
+    {CLI_SCENE_FLAG(render_settings, input.load), .not_for = HEIR_ANY},
+    {CLI_JOINT_FLAG(render_settings, input.load)},
     {FILE_FLAG("quality", "N", "quality of JPEG and WebP", cli_flag_integer, output.quality),
      .svg = CLI_SVG_SAME, CLI_RANGE(1, 100), .default_label = "90, WebP without loss",
      .manual = "Quality of JPEG (90 by default) and WebP (lossless by default), from 1 to 100."},

@@ -49,7 +49,8 @@ static burnish_status take_folder(render_settings *settings, const cli_call *cal
  * are mistakes; with -o and -d they are allowed, since a shell's * can list textures among meshes. */
 static burnish_status take_output_operand(render_settings *settings, cli_call *call,
                                           burnish_error *error) {
-    const int is_many = call->operand_count > 2 || settings->job.files_from;
+    const int is_scene = settings->input.load.scene;
+    const int is_many = (call->operand_count > 2 && !is_scene) || settings->job.files_from;
     const char *last = NULL, *image = NULL;
     size_t images = 0;
     for (size_t i = 0; i < call->argument_count; ++i) {
@@ -123,8 +124,14 @@ burnish_status render_read_operands(render_settings *settings, cli_call *call, i
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
-    *is_many = call->operand_count > 1 || settings->output.folder || settings->job.recursive ||
-               has_list || is_template(settings->output.path);
+    *is_many = (call->operand_count > 1 && !settings->input.load.scene) ||
+               settings->output.folder || settings->job.recursive || has_list ||
+               is_template(settings->output.path);
+    if (*is_many && settings->input.load.scene) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--scene: makes one picture; not with --recursive, --files-from or names "
+                        "of pictures after those of inputs; omit it or them");
+    }
     if (!*is_many && is_folder(call->operands[0])) {
         return cli_fail(error, BURNISH_STATUS_READ,
                         "%.300s: is a folder; use --output-dir=FOLDER to draw all its meshes",

@@ -17,6 +17,7 @@
 #include "picture/formats.h"
 #include "render/output/result.h"
 #include "render/render.h"
+#include "render/scene/join_inputs.h"
 #include "render/scene/library_options.h"
 #include "render/scene/prepare.h"
 #include "render/useless.h"
@@ -304,14 +305,20 @@ static burnish_status draw_input(render_settings *settings, cli_call *call, burn
     settings->input.name = call->operands[0];
     int code = -1;
     burnish_status status = render_finish(settings, error);
+    if (status == BURNISH_STATUS_OK && settings->input.load.scene) {
+        status = render_join_inputs(call, &settings->input.load, error);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = enter_sandbox(settings, &code, error);
     }
     if (status != BURNISH_STATUS_OK || code >= 0) {
         call->exit_code = code;
+        render_release_inputs(&settings->input.load);
         return status;
     }
-    return render_run(settings, &call->exit_code, error);
+    status = render_run(settings, &call->exit_code, error);
+    render_release_inputs(&settings->input.load);
+    return status;
 }
 
 burnish_status render_work(void *from, cli_call *call, burnish_error *error) {

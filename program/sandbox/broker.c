@@ -193,7 +193,7 @@ static uint64_t decode_limit(const sandbox_plan *plan) {
 }
 
 /* Copies the stream to decode into an in-memory file. */
-static void broker_decode(broker *b, uint64_t size) {
+static void broker_decode(broker *b, const char *form, uint64_t size) {
     static char piece[MESSAGE_DATA_MAX];
     burnish_error error = {BURNISH_STATUS_OK, ""};
     const int file = cli_unnamed_file();
@@ -207,10 +207,10 @@ static void broker_decode(broker *b, uint64_t size) {
     }
     if (b->state == BROKER_SERVES) {
         const burnish_status status =
-            is_kept
-                ? import_decode_file(b->plan->input, file, (import_sink){reply_piece, b}, &error)
-                : cli_fail(&error, BURNISH_STATUS_MEMORY,
-                           "%.200s: out of memory for the stream to decode", b->plan->input);
+            is_kept ? import_decode_file(b->plan->input, form, file, (import_sink){reply_piece, b},
+                                         &error)
+                    : cli_fail(&error, BURNISH_STATUS_MEMORY,
+                               "%.200s: out of memory for the stream to decode", b->plan->input);
         reply_status(b, status, &error);
     }
     if (file >= 0) {
@@ -229,8 +229,8 @@ static int broker_handle(broker *b, const message *head, const char *text) {
         send_file(b, text, head->value);
     } else if (head->kind == MESSAGE_IMPORT && head->size == 0) {
         broker_import(b, head->value);
-    } else if (head->kind == MESSAGE_DECODE && head->size == 0) {
-        broker_decode(b, head->value);
+    } else if (head->kind == MESSAGE_DECODE && is_text && import_can_decode(text)) {
+        broker_decode(b, text, head->value);
     } else if (head->kind == MESSAGE_STATUS && is_text && b->depth > 0 &&
                head->value < BURNISH_STATUS_COUNT) {
         return 1;

@@ -15,7 +15,7 @@ typedef enum message_kind {
     MESSAGE_STATUS,    /* result of the last step; value: the status; text: the error message */
     MESSAGE_FILE,      /* request for a referenced file: its name; value: size limit */
     MESSAGE_IMPORT,    /* request to import the input; value: size limit */
-    MESSAGE_DECODE,    /* request to decode `value` bytes, which follow as MESSAGE_DATA */
+    MESSAGE_DECODE,    /* request to decode `value` bytes, which follow as MESSAGE_DATA: the form */
     /* broker to worker */
     MESSAGE_READY, /* the output needs only its last step; for a file, value: its size */
     MESSAGE_DONE,  /* value: the status; text: the error message */

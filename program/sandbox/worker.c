@@ -121,11 +121,11 @@ static burnish_status take_stream(import_stream *stream, burnish_error *error) {
                                                                                : fail_broker(error);
 }
 
-static burnish_status decode_by_broker(const char *name, const void *bytes, size_t size,
-                                       import_stream *stream, burnish_error *error) {
+static burnish_status decode_by_broker(const char *name, const char *form, const void *bytes,
+                                       size_t size, import_stream *stream, burnish_error *error) {
     const char *next = bytes;
     (void)name;
-    int is_there = channel_send(broker, MESSAGE_DECODE, size, NULL, 0);
+    int is_there = channel_send(broker, MESSAGE_DECODE, size, form, strlen(form));
     while (is_there && size > 0) {
         const size_t part = size < MESSAGE_DATA_MAX ? size : MESSAGE_DATA_MAX;
         is_there = channel_send(broker, MESSAGE_DATA, 0, next, part);

@@ -51,6 +51,7 @@ static const struct layer {
     {"src/mesh/read/gltf", "base core mesh/data mesh/read/common mesh/read/io"},
     {"src/mesh/read/obj", "base core mesh/data mesh/read/common mesh/read/io"},
     {"src/mesh/read/ply", "base core mesh/data mesh/read/common mesh/read/io"},
+    {"src/mesh/read/scene", "base core mesh/data mesh/read mesh/read/common mesh/read/io"},
     {"src/mesh/read/threemf", "base core mesh/data mesh/read/common mesh/read/io"},
     {"src/raster", "base core simd burnish/core.h"},
     {"src/image", "base core burnish/compare.h burnish/core.h burnish/image.h"},

@@ -172,7 +172,7 @@ importer "cat '$bin/error.bms'"
 cp "$here/../data/colors.ply" other.dat
 expect 4 "burnish: other.dat: $name: text" render other.dat --input-format=dae -o s.png
 rm other.dat
-expect 2 'burnish: --input-format: "exe" is not one of auto, gltf, obj, off, ply, stl, 3mf, gcode, splat, spz, bms, pcd, las, xyz, nor a file extension of an importer (fbx, step ...; docs/importers.md)' info a.fbx --input-format=exe
+expect 2 'burnish: --input-format: "exe" is not one of auto, gltf, obj, off, ply, stl, 3mf, gcode, splat, spz, bms, scene, urdf, pcd, las, xyz, nor a file extension of an importer (fbx, step ...; docs/importers.md)' info a.fbx --input-format=exe
 mkfifo "$bin/open"
 exec 5<>"$bin/open"
 for flag in --no-sandbox $boxed; do # it does not wait for input that nobody would read
@@ -216,6 +216,17 @@ cp "$here/../data/colors.ply" other.dae
 importer "cat '$bin/error.bms'"
 expect 0 '' render other.dae --size=16 -o r.png
 [ -z "$boxed" ] || expect 0 '' render other.dae --size=16 --sandbox -o r.png
-rm -f a.fbx a.png p.png q.png r.png other.dae
+# A file of a scene.
+echo 'a COLLADA file' >part.DAE
+echo '{"burnish_scene": 1, "items": [{"file": "part.DAE"}]}' >s.scene.json
+importer "[ \$1 = dae ] && cat '$bin/all.bms'"
+for flag in --no-sandbox $boxed; do
+    gives 0 render s.scene.json --size=16 $flag -o r.png
+done
+importer 'exit 3'
+for flag in --no-sandbox $boxed; do
+    expect 4 "burnish: s.scene.json:1: items[0].file: part.DAE: s.scene.json: $name ended with exit code 3 and no mesh" render s.scene.json $flag -o r.png
+done
+rm -f part.DAE s.scene.json a.fbx a.png p.png q.png r.png other.dae
 nothing_left "importers"
 finish

@@ -452,6 +452,30 @@ expect 0 'burnish: warning: block.obj: --annotate: scale: a perspective has no s
     render block.obj --views=front --camera-orthographic=no --annotate=scale -o s.png
 expect 2 'burnish: --annotate: "ruler" is not one of axes, box, dimensions, scale, grid, none' render block.obj --annotate=axes,ruler
 
+# Several inputs in one scene: the picture of one file with the same contents.
+mkdir sub
+block 1 2 3 >sub/a.obj
+block 4 1 1 >b.obj
+{ cat sub/a.obj && awk '/^f/ { $0 = "f " $2 + 8 " " $3 + 8 " " $4 + 8 " " $5 + 8 } { print }' b.obj; } >both.obj
+both=$(hash both.obj --size=60 --up=+Y)
+same "--scene" "$both" "$(hash sub/a.obj b.obj --scene --size=60)"
+check "the report lists parts" [ "$(grep -c '"name":.*"[ab]"' "$out")" = 2 ]
+printf '{"burnish_scene": 1, "items": [{"file": "sub/a.obj"}, {"file": "b.obj"}]}' >s.scene.json
+same "a scene file" "$both" "$(hash s.scene.json --size=60)"
+run batch s.scene.json -d made --size=60
+run render s.scene.json --size=60 -o s.png
+check "a batch" cmp s.png made/s.scene.png
+run compare s.scene.json both.obj --up=+Y --size=60
+check "compared: $(cat "$err")" [ "$code" = 0 ]
+gives 0 info sub/a.obj b.obj --scene
+check "facts of all" grep -q '^sub/a.obj (scene): 24 triangles' "$out"
+expect 2 'burnish: --scene: sub: is a folder; name its files' render b.obj sub --scene -o s.png
+expect 2 'burnish: --scene: :knot: is no file; only files can be joined' render b.obj :knot --scene -o s.png
+expect 2 'burnish: --root: b.obj: does not contain the input; name a folder above it' render sub/a.obj b.obj --scene --root=sub -o s.png
+expect 0 'burnish: warning: --joint: no effect: only robots (URDF) have joints; omit the flag' render b.obj --joint=a:1 --size=16 -o s.png
+expect 2 'burnish: --joint: "a=1" is not NAME:VALUE, such as elbow:0.5' render b.obj --joint=a=1 -o s.png
+rm -r sub made b.obj both.obj s.scene.json
+
 run render :teapot --lobe=power,schlick,energy:2,taylor:2 --columns=4 --size=40 --json -o sheet.png
 check "four columns" [ "$(json width)" -ge 160 ]
 

@@ -177,6 +177,9 @@ check "an archive in a folder: $(cat "$err")" [ -s made/one.png ]
 (cd named && "$burnish" render ../kit.zip:a.obj --size=16 2>"$err")
 check "the name of a model in an archive: $(ls named)" [ -s named/a.png ]
 rm -rf kits named
+same_there root/meshes/a.obj root/lib/b.obj --scene --size=16 -o OUT.png
+printf '{"burnish_scene": 1, "items": [{"file": "meshes/a.obj"}, {"file": "lib/b.obj", "scale": 2}]}' >root/s.scene.json
+same_there root/s.scene.json --size=16 -o OUT.png
 rm -rf root secret.mtl kit.zip s.png made
 
 # A wall that can't be built is an error of each process that has one: where Landlock has no room for another domain.

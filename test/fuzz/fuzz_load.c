@@ -7,8 +7,8 @@
  * byte 1:  options, see load_options() and draw()
  * byte 2:  samples, camera inside the mesh, threads compared; see draw() and compare_threads()
  * byte 3:  more options, see load_more() and light()
- * rest:    the file. After the first NUL of an OBJ comes its material library, "101", which
- * otherwise is a TGA. A 3MF that does not begin as a ZIP archive is a model and, after the first NUL, the part
+ * rest:    the file. After the first NUL of an OBJ comes its material library, "101", of a scene or
+ * robot a mesh of that name; otherwise it is a TGA. A 3MF that does not begin as a ZIP archive is a model and, after the first NUL, the part
  * "b"; they are packed here, since random bytes would not pass the checksums
  *
  * Built by `make fuzz`; test/fuzz/run starts it, test/fuzz/seeds makes its seeds. */
@@ -31,9 +31,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 enum {
     HEAD = 4,
     ROOM = 20, /* of pieces of G-code, in triangles */
-    /* The files' folder: "/proc/self/fd/100" finds its library "101" there. */
     MESH_DESCRIPTOR = 100,
-    LIBRARY_DESCRIPTOR = 101,
     TRIANGLE_LIMIT = 100000,
     INPUT_LIMIT = 1 << 20
 };
@@ -125,32 +123,52 @@ static void place_file(int descriptor, const uint8_t *bytes, size_t size) {
     close(file);
 }
 
+/* The bytes of the file "101", a pixel if the input has none. */
+static struct library {
+    const uint8_t *bytes;
+    size_t size;
+} library;
+
+static burnish_status load_library(void *user_data, const char *name, uint64_t max_bytes,
+                                   const void **bytes, size_t *size, burnish_error *error) {
+    (void)user_data;
+    if (strcmp(name, "101") != 0 || library.size > max_bytes) {
+        snprintf(error->text, sizeof error->text, "it is not there");
+        return error->status = BURNISH_STATUS_READ;
+    }
+    *bytes = library.bytes;
+    *size = library.size;
+    return BURNISH_STATUS_OK;
+}
+
 static burnish_status load(const uint8_t *bytes, size_t size, int from_file,
-                           const burnish_load_options *options, burnish_mesh **scene,
+                           const burnish_load_options *given, burnish_mesh **scene,
                            burnish_error *error) {
     static const uint8_t pixel[] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 24, 0, 1, 2, 3};
     const uint8_t *end = memchr(bytes, 0, size);
+    burnish_load_options all = *given;
+    const burnish_load_options *options = &all;
+    all.referenced_files.load = load_library;
     if (options->format == BURNISH_FORMAT_3MF && size > 0 &&
         (size < 2 || memcmp(bytes, "PK", 2) != 0)) {
         const zip_list *zip = pack_parts((const char *)bytes, size);
         return burnish_mesh_load_memory(zip->bytes, zip->size, "fuzz", options, scene, error);
     }
-    if (options->format != BURNISH_FORMAT_OBJ || !end) {
+    const int has_library = options->format == BURNISH_FORMAT_OBJ ||
+                            options->format == BURNISH_FORMAT_SCENE ||
+                            options->format == BURNISH_FORMAT_URDF;
+    if (!has_library || !end) {
         end = bytes + size;
     }
     size_t mesh_size = (size_t)(end - bytes);
+    library = mesh_size < size ? (struct library){end + 1, size - mesh_size - 1}
+                               : (struct library){pixel, sizeof pixel};
     if (!from_file) {
         return burnish_mesh_load_memory(bytes, mesh_size, "fuzz", options, scene, error);
     }
     place_file(MESH_DESCRIPTOR, bytes, mesh_size);
-    if (mesh_size < size) {
-        place_file(LIBRARY_DESCRIPTOR, end + 1, size - mesh_size - 1);
-    } else {
-        place_file(LIBRARY_DESCRIPTOR, pixel, sizeof pixel);
-    }
     burnish_status status = burnish_mesh_load(MESH_PATH, options, scene, error);
     close(MESH_DESCRIPTOR);
-    close(LIBRARY_DESCRIPTOR);
     return status;
 }
 

@@ -102,7 +102,7 @@ blend five '5.x saved' 'BLENDER17-01v0500REND'
 blend zstd '3.0 or later compressed' '\050\265\057\375'
 rm four.blend five.blend zstd.blend
 printf '<?xml version="1.0"?><amf/>' >part.amf
-expect 4 "burnish: part.amf: an AMF file, which burnish can't read; convert it to one of gltf, obj, off, ply, stl, 3mf, gcode, splat, spz, bms, pcd, las, xyz" info part.amf
+expect 4 "burnish: part.amf: an AMF file, which burnish can't read; convert it to one of gltf, obj, off, ply, stl, 3mf, gcode, splat, spz, bms, scene, urdf, pcd, las, xyz" info part.amf
 rm part.amf
 
 # Packed, and damaged so.

@@ -328,7 +328,7 @@ static void test_sizes(void) {
         add_text(&s, MESSAGE_WRITE, 0, LYING_PICTURE);
         add(&s, MESSAGE_DATA, 0, bytes, sizes[i]);
         CHECK(run(&s) == BROKER_VIOLATION, "size %llu", (unsigned long long)sizes[i]);
-        add(&s, MESSAGE_DECODE, LYING_MAX_BYTES, NULL, 0);
+        add(&s, MESSAGE_DECODE, LYING_MAX_BYTES, "draco", 5);
         add(&s, MESSAGE_DATA, 0, bytes, sizes[i]);
         CHECK(run(&s) == BROKER_VIOLATION, "size %llu", (unsigned long long)sizes[i]);
     }
@@ -360,23 +360,23 @@ static void test_decode(void) {
     char text[480];
     size_t at = 0;
     script s = {.size = 0};
-    add(&s, MESSAGE_DECODE, sizeof bytes, NULL, 0);
+    add(&s, MESSAGE_DECODE, sizeof bytes, "draco", 5);
     add(&s, MESSAGE_DATA, 0, bytes, sizeof bytes);
     CHECK1(run(&s) == BROKER_GONE);
     CHECK1(take_reply(&at, text).value == BURNISH_STATUS_MEMORY);
     CHECK(strstr(text, "in/mesh.gltf: out of memory for the stream to decode"), "%s", text);
     box.plan.max_memory = 9; /* of the worker, which can not have had more */
-    add(&s, MESSAGE_DECODE, 10, NULL, 0);
+    add(&s, MESSAGE_DECODE, 10, "draco", 5);
     add(&s, MESSAGE_DATA, 0, bytes, 10);
     CHECK1(run(&s) == BROKER_GONE);
     at = 0;
     CHECK1(take_reply(&at, text).value == BURNISH_STATUS_MEMORY);
     box.plan.max_memory = 0;
-    add(&s, MESSAGE_DECODE, UINT64_MAX, NULL, 0);
+    add(&s, MESSAGE_DECODE, UINT64_MAX, "draco", 5);
     add(&s, MESSAGE_DATA, 0, bytes, sizeof bytes);
     CHECK1(run(&s) == BROKER_GONE);
     CHECK1(box.reply_size == 0);
-    add(&s, MESSAGE_DECODE, 10, NULL, 0);
+    add(&s, MESSAGE_DECODE, 10, "draco", 5);
     add(&s, MESSAGE_DATA, 0, bytes, 11);
     CHECK1(run(&s) == BROKER_VIOLATION);
 }

@@ -136,6 +136,17 @@ static cJSON *inside_out(const burnish_mesh_view *view, int has_faces) {
                                           : cJSON_CreateNull();
 }
 
+/* What a scene joined. */
+static cJSON *part_at(const void *from, size_t i) {
+    const burnish_part *part = &burnish_mesh_get_contents(from)->parts[i];
+    int failed = 0;
+    cJSON *row = cJSON_CreateObject();
+    cli_json_add(row, "name", cli_json_text(part->name), &failed);
+    cli_json_add(row, "triangles", cli_json_count(part->triangle_count), &failed);
+    cli_json_add(row, "transform", cli_json_reals(12, part->transform), &failed);
+    return row;
+}
+
 static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     const render_settings *settings = result->settings;
     const burnish_mesh *mesh = result->mesh;
@@ -158,6 +169,11 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     if (settings->picture.rows.count > 0) {
         const int rows[2] = {settings->picture.rows.first, settings->picture.rows.count};
         cli_json_add(root, "rows", cli_json_integers(2, rows), failed);
+    }
+    if (info->format == BURNISH_FORMAT_SCENE || info->format == BURNISH_FORMAT_URDF) {
+        cli_json_add(root, "parts",
+                     cli_json_array(burnish_mesh_get_contents(mesh)->part_count, part_at, mesh),
+                     failed);
     }
     cli_json_add(root, "triangles", cli_json_count(view->triangle_count), failed);
     cli_json_add(root, "vertices", cli_json_count(view->vertex_count), failed);

@@ -25,7 +25,9 @@ burnish_load_options render_load_options(const render_input_settings *input, int
 burnish_status render_load(const render_input_settings *input, int threads, burnish_mesh **mesh,
                            burnish_error *error) {
     const burnish_load_options options = render_load_options(input, threads);
-    return import_load(input->name, &options, mesh, error);
+    return input->load.items
+               ? import_load_items(input->name, input->load.items, &options, mesh, error)
+               : import_load(input->name, &options, mesh, error);
 }
 
 int render_has_own_lobe(const render_shading_settings *shading) {

@@ -295,7 +295,7 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
         status = burnish_read_from_origin(reader, formats[*format].reader->read);
     }
     if (status == BURNISH_STATUS_OK) {
-        reader->mesh->has_average_normals = formats[*format].reader->averages_normals;
+        reader->mesh->has_average_normals |= formats[*format].reader->averages_normals;
         show_transparent(reader);
     }
     return status;

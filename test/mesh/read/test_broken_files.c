@@ -267,7 +267,7 @@ static void test_files(void) {
                "note.txt: neither its name nor its first bytes identify the format; name the input "
                "format, one of "
                "gltf, obj, off, ply, stl, 3mf, gcode, splat, spz, bms, "
-               "pcd, las, xyz");
+               "scene, urdf, pcd, las, xyz");
     test_write_file("bad.mtl", "newmtl a\nKd x\n");
     test_write_file("bad.obj", "mtllib bad.mtl\n" TRIANGLE "f 1 2 3\n");
     options.strict = 1;
