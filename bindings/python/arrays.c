@@ -17,7 +17,7 @@ typedef struct array_object {
 } array_object;
 
 int array_fill_view(PyObject *exporter, const array_layout *layout,
-                    Py_ssize_t strides[ARRAY_DIMENSIONS], Py_buffer *view, int flags) {
+                    Py_ssize_t strides[ARRAY_DIMENSIONS], buffer_view *view, int flags) {
     Py_ssize_t size = layout->item_size;
     for (int i = layout->dimensions - 1; i >= 0; --i) {
         strides[i] = size;
@@ -32,9 +32,9 @@ int array_fill_view(PyObject *exporter, const array_layout *layout,
         PyErr_SetString(PyExc_BufferError, "burnish's arrays are C-contiguous");
         return -1;
     }
-    *view = (Py_buffer){
+    *view = (buffer_view){
         .buf = (void *)layout->items,
-        .obj = Py_NewRef(exporter),
+        .obj = module_share(exporter),
         .len = size,
         .itemsize = layout->item_size,
         .readonly = 1,
@@ -46,7 +46,7 @@ int array_fill_view(PyObject *exporter, const array_layout *layout,
     return 0;
 }
 
-static int get_buffer(PyObject *object, Py_buffer *view, int flags) {
+static int get_buffer(PyObject *object, buffer_view *view, int flags) {
     array_object *self = (array_object *)object;
     return array_fill_view(object, &self->layout, self->strides, view, flags);
 }
@@ -69,7 +69,7 @@ PyObject *array_memoryview(const module_state *state, PyObject *owner, const arr
         }
         return NULL;
     }
-    self->owner = Py_XNewRef(owner);
+    self->owner = module_share(owner);
     self->items = (void *)layout->items;
     self->layout = *layout;
     PyObject *view = PyMemoryView_FromObject((PyObject *)self);
@@ -79,15 +79,16 @@ PyObject *array_memoryview(const module_state *state, PyObject *owner, const arr
 
 PyObject *array_create_type(PyObject *module) {
     static PyType_Slot slots[] = {
+        {Py_tp_new, module_refuse},
         {Py_tp_dealloc, destroy},
-        {Py_bf_getbuffer, get_buffer},
+        {PyBUF_SLOT, get_buffer},
         {Py_tp_doc, "Numbers of burnish's."},
         {0},
     };
     static PyType_Spec spec = {
         .name = "burnish._burnish.Array",
         .basicsize = sizeof(array_object),
-        .flags = Py_TPFLAGS_DEFAULT | Py_TPFLAGS_DISALLOW_INSTANTIATION,
+        .flags = Py_TPFLAGS_DEFAULT,
         .slots = slots,
     };
     return PyType_FromModuleAndSpec(module, &spec, NULL);
@@ -129,7 +130,7 @@ static char kind_of(const char *format, Py_ssize_t size) {
 }
 
 /* The buffer's dimensions as rows. Returns 0 for others. */
-static int shape_rows(const Py_buffer *view, int columns, rows *r) {
+static int shape_rows(const buffer_view *view, int columns, rows *r) {
     const Py_ssize_t *shape = view->shape, *strides = view->strides;
     if (view->ndim == 1 && shape[0] % columns == 0) {
         r->count = shape[0] / columns;
@@ -160,7 +161,7 @@ static int open_rows(PyObject *object, const char *name, int columns, array_inpu
                      (PyObject *)Py_TYPE(object));
         return 0;
     }
-    const Py_buffer *view = &input->view;
+    const buffer_view *view = &input->view;
     input->has_view = 1;
     r->items = view->buf;
     r->size = view->itemsize;

@@ -6,14 +6,20 @@
 #include <signal.h>
 #include <sys/stat.h>
 
-#ifndef __x86_64__
-#error "these versions are those of x86-64"
+#if defined(__x86_64__)
+#define FIRST "GLIBC_2.2.5"
+#define STAT_VERSION 1
+#elif defined(__aarch64__)
+#define FIRST "GLIBC_2.17"
+#define STAT_VERSION 0
+#else
+#error "add the first version of glibc for this processor, and _STAT_VER of its bits/stat.h"
 #endif
 
-/* The function RESULT NAME(PARAMETERS) of version 2.2.5, which is called with ARGUMENTS. */
+/* The function RESULT NAME(PARAMETERS) of the first version, which is called with ARGUMENTS. */
 #define OLD(result, name, parameters, arguments)                                                   \
     result old_##name parameters;                                                                  \
-    __asm__(".symver old_" #name "," #name "@GLIBC_2.2.5");                                        \
+    __asm__(".symver old_" #name "," #name "@" FIRST);                                             \
     result __wrap_##name parameters;                                                               \
     result __wrap_##name parameters {                                                              \
         return old_##name arguments;                                                               \
@@ -31,13 +37,13 @@ OLD(int, pthread_join, (pthread_t thread, void **result), (thread, result))
 OLD(int, pthread_once, (pthread_once_t * control, void (*start)(void)), (control, start))
 OLD(int, pthread_sigmask, (int how, const sigset_t *set, sigset_t *old), (how, set, old))
 
-/* Before 2.33, these functions had other names and took the version of struct stat, which is 1. */
+/* Before 2.33, these functions had other names and took the version of struct stat. */
 #define OLD_STAT(name, old, of)                                                                    \
     int old_##name(int version, of, struct stat64 *status);                                        \
-    __asm__(".symver old_" #name "," #old "@GLIBC_2.2.5");                                         \
+    __asm__(".symver old_" #name "," #old "@" FIRST);                                              \
     int __wrap_##name(of, struct stat64 *status);                                                  \
     int __wrap_##name(of, struct stat64 *status) {                                                 \
-        return old_##name(1, file, status);                                                        \
+        return old_##name(STAT_VERSION, file, status);                                             \
     }
 
 OLD_STAT(stat64, __xstat64, const char *file)

@@ -103,7 +103,7 @@ PyObject *image_take(const module_state *state, session *s) {
 
 PyObject *image_restore(PyObject *module, PyObject *arguments) {
     const module_state *state = PyModule_GetState(module);
-    Py_buffer pixels;
+    buffer_view pixels;
     int height, width, channels;
     unsigned long long covered_pixels;
     PyObject *camera, *planes, *warnings;
@@ -126,9 +126,9 @@ PyObject *image_restore(PyObject *module, PyObject *arguments) {
         memcpy(image.pixels, pixels.buf, (size_t)pixels.len);
         set_image(self, image, covered_pixels);
         self->hash = burnish_image_hash(&image);
-        self->camera = Py_NewRef(camera);
-        self->planes = Py_NewRef(planes);
-        self->warnings = Py_NewRef(warnings);
+        self->camera = module_share(camera);
+        self->planes = module_share(planes);
+        self->warnings = module_share(warnings);
     }
     PyBuffer_Release(&pixels);
     return (PyObject *)self;
@@ -143,7 +143,7 @@ static void destroy(PyObject *object) {
     module_free(object);
 }
 
-static int get_buffer(PyObject *object, Py_buffer *view, int flags) {
+static int get_buffer(PyObject *object, buffer_view *view, int flags) {
     image_object *self = (image_object *)object;
     return array_fill_view(object, &self->layout, self->strides, view, flags);
 }
@@ -194,7 +194,7 @@ static PyObject *save(PyObject *object, PyObject *path) {
         PyObject *result = bytes ? PyObject_CallMethod(path, "write", "O", bytes) : NULL;
         Py_XDECREF(bytes);
         Py_XDECREF(result);
-        return result ? Py_NewRef(Py_None) : NULL;
+        return result ? module_share(Py_None) : NULL;
     }
     if (!PyUnicode_FSConverter(path, &name)) {
         return NULL;
@@ -315,12 +315,13 @@ static PyMethodDef methods[] = {
 
 PyObject *image_create_type(PyObject *module) {
     static PyType_Slot slots[] = {
+        {Py_tp_new, module_refuse},
         {Py_tp_dealloc, destroy},
         {Py_tp_repr, represent},
         {Py_tp_members, members},
         {Py_tp_getset, properties},
         {Py_tp_methods, methods},
-        {Py_bf_getbuffer, get_buffer},
+        {PyBUF_SLOT, get_buffer},
         {Py_tp_doc, "A picture: 8-bit sRGB values, rows from the top; a fourth channel is straight "
                     "alpha.\n\nnumpy.asarray(picture) and memoryview(picture) are read-only views "
                     "of the pixels, (height, width, channels)."},
@@ -329,7 +330,7 @@ PyObject *image_create_type(PyObject *module) {
     static PyType_Spec spec = {
         .name = "burnish.Image",
         .basicsize = sizeof(image_object),
-        .flags = Py_TPFLAGS_DEFAULT | Py_TPFLAGS_DISALLOW_INSTANTIATION | Py_TPFLAGS_IMMUTABLETYPE,
+        .flags = Py_TPFLAGS_DEFAULT,
         .slots = slots,
     };
     return PyType_FromModuleAndSpec(module, &spec, NULL);

@@ -102,7 +102,7 @@ static int set(PyObject *dictionary, const char *key, PyObject *value) {
 
 /* None for a missing number. */
 static PyObject *number(double value) {
-    return isnan(value) ? Py_NewRef(Py_None) : PyFloat_FromDouble(value);
+    return isnan(value) ? module_share(Py_None) : PyFloat_FromDouble(value);
 }
 
 /* Adds the metrics of an item, NAME, NAME:ARGUMENT or a group, to the row. */
@@ -165,8 +165,9 @@ PyObject *lobe_row(PyObject *module, PyObject *arguments) {
     Py_END_ALLOW_THREADS;
     PyObject *row = PyDict_New();
     for (Py_ssize_t i = 0; row && i < PyList_Size(names); ++i) {
-        const char *item = PyUnicode_AsUTF8AndSize(PyList_GetItem(names, i), NULL);
-        if (!item || !add_metrics(row, item, &model, &difference)) {
+        const char *item;
+        if (!PyArg_Parse(PyList_GetItem(names, i), "s", &item) ||
+            !add_metrics(row, item, &model, &difference)) {
             Py_CLEAR(row);
         }
     }

@@ -132,7 +132,7 @@ static int read_options(PyObject *pairs, void *target) {
 
 /* Bytes of an object, or nothing for None. */
 typedef struct bytes_input {
-    Py_buffer view;
+    buffer_view view;
     int has_view;
 } bytes_input;
 
@@ -241,8 +241,8 @@ static void convert_error(const module_state *state) {
     }
     PyErr_Fetch(&class, &value, &trace);
     PyObject *line = PyObject_Str(value);
-    const char *text = line ? PyUnicode_AsUTF8AndSize(line, NULL) : NULL;
-    if (text) {
+    const char *text;
+    if (line && PyArg_Parse(line, "s", &text)) {
         snprintf(error.text, sizeof error.text, "%s", text);
         module_fail(state, &error);
     }
@@ -440,13 +440,18 @@ static PyMethodDef methods[] = {
 
 PyObject *mesh_create_type(PyObject *module) {
     static PyType_Slot slots[] = {
-        {Py_tp_dealloc, destroy}, {Py_tp_repr, represent},       {Py_tp_getset, properties},
-        {Py_tp_methods, methods}, {Py_tp_doc, "A loaded mesh."}, {0},
+        {Py_tp_new, module_refuse},
+        {Py_tp_dealloc, destroy},
+        {Py_tp_repr, represent},
+        {Py_tp_getset, properties},
+        {Py_tp_methods, methods},
+        {Py_tp_doc, "A loaded mesh."},
+        {0},
     };
     static PyType_Spec spec = {
         .name = "burnish._burnish.Mesh",
         .basicsize = sizeof(mesh_object),
-        .flags = Py_TPFLAGS_DEFAULT | Py_TPFLAGS_BASETYPE | Py_TPFLAGS_DISALLOW_INSTANTIATION,
+        .flags = Py_TPFLAGS_DEFAULT | Py_TPFLAGS_BASETYPE,
         .slots = slots,
     };
     return PyType_FromModuleAndSpec(module, &spec, NULL);

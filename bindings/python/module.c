@@ -24,6 +24,18 @@ void module_free(PyObject *object) {
     Py_DECREF(type);
 }
 
+PyObject *module_refuse(PyTypeObject *type, PyObject *arguments, PyObject *keywords) {
+    (void)arguments, (void)keywords;
+    PyErr_Format(PyExc_TypeError, "%R has no constructor; use the functions of burnish",
+                 (PyObject *)type);
+    return NULL;
+}
+
+PyObject *module_share(PyObject *object) {
+    Py_XINCREF(object);
+    return object;
+}
+
 /* Files that can't be read or written also raise what open() raises, and arguments ValueError. */
 static PyObject *class_of(const module_state *state, const burnish_error *error) {
     const int is_file =
@@ -79,7 +91,7 @@ static int create_context(module_state *state) {
 }
 
 static int add(PyObject *module, const char *name, PyObject *object) {
-    return object && PyModule_AddObjectRef(module, name, object) == 0;
+    return object && PyModule_AddObject(module, name, module_share(object)) == 0;
 }
 
 /* Creates an exception class with two bases; NULL if the first one is missing. */

@@ -1,14 +1,37 @@
-/* Declarations of the extension. It uses the stable interface of Python 3.11, the first one with
- * buffers. */
+/* Declarations of the extension. It uses the stable interface of Python 3.9. */
 #ifndef PYTHON_MODULE_H
 #define PYTHON_MODULE_H
 
 #define PY_SSIZE_T_CLEAN
-#define Py_LIMITED_API 0x030b0000
+#define Py_LIMITED_API 0x03090000
 #include <Python.h>
 
 #include "burnish/core.h"
 #include "session.h"
+
+/* Buffers belong to the stable interface from 3.11 on, as they have been since 3.3: Python 3.9 and
+ * 3.10, which no longer change, have the same layout, functions and slot. */
+typedef struct buffer_view {
+    void *buf;
+    PyObject *obj;
+    Py_ssize_t len, itemsize;
+    int readonly, ndim;
+    char *format;
+    Py_ssize_t *shape, *strides, *suboffsets;
+    void *internal;
+} buffer_view;
+enum {
+    PyBUF_SIMPLE = 0,
+    PyBUF_WRITABLE = 1,
+    PyBUF_FORMAT = 4,
+    PyBUF_ND = 8,
+    PyBUF_STRIDES = 0x10 | PyBUF_ND,
+    PyBUF_F_CONTIGUOUS = 0x40 | PyBUF_STRIDES,
+    PyBUF_RECORDS_RO = PyBUF_STRIDES | PyBUF_FORMAT,
+    PyBUF_SLOT = 1 /* Py_bf_getbuffer */
+};
+PyAPI_FUNC(int) PyObject_GetBuffer(PyObject *exporter, buffer_view *view, int flags);
+PyAPI_FUNC(void) PyBuffer_Release(buffer_view *view);
 
 typedef struct module_state {
     PyObject *error;          /* burnish.Error */
@@ -25,6 +48,12 @@ PyObject *module_fail(const module_state *state, const burnish_error *error);
 /* A zeroed instance of a heap type, and the end of its tp_dealloc. */
 void *module_allocate(PyObject *type);
 void module_free(PyObject *object);
+
+/* The tp_new of types whose instances only functions create. Raises TypeError. */
+PyObject *module_refuse(PyTypeObject *type, PyObject *arguments, PyObject *keywords);
+
+/* The object with one more reference, which the caller owns; NULL for NULL. */
+PyObject *module_share(PyObject *object);
 
 /* The types, which belong to the module. NULL after an exception. */
 PyObject *array_create_type(PyObject *module);
@@ -50,14 +79,14 @@ typedef struct array_layout {
 /* Fills a read-only view. Its shape and strides point into *layout and *strides, which live as long
  * as the exporter. Returns 0, or -1 after BufferError. */
 int array_fill_view(PyObject *exporter, const array_layout *layout,
-                    Py_ssize_t strides[ARRAY_DIMENSIONS], Py_buffer *view, int flags);
+                    Py_ssize_t strides[ARRAY_DIMENSIONS], buffer_view *view, int flags);
 
 /* A memoryview of items that belong to `owner`; if owner is NULL, it takes ownership of them. */
 PyObject *array_memoryview(const module_state *state, PyObject *owner, const array_layout *layout);
 
 /* An object's numbers in the library's layout: in place if possible, else copied. */
 typedef struct array_input {
-    Py_buffer view;
+    buffer_view view;
     int has_view;
     void *copy;
     burnish_array array;

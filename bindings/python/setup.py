@@ -35,6 +35,12 @@ def version():
     return ".".join(re.search(rf"#define BURNISH_VERSION_{part} (\d+)", text)[1] for part in ("MAJOR", "MINOR", "PATCH"))
 
 
+def state_license(path):
+    """As an SPDX expression, which setuptools before 77 can't write."""
+    text = re.sub("(?m)^Metadata-Version: .*", "Metadata-Version: 2.4", path.read_text(encoding="utf-8"), count=1)
+    path.write_text(re.sub("(?m)^Summary: .*", r"\g<0>\nLicense-Expression: MIT", text, count=1), encoding="utf-8")
+
+
 class Build(build_ext):
     def build_extension(self, extension):
         folder = Path(os.environ.get("BURNISH_BUILD") or BASE / "cmake").resolve()
@@ -65,6 +71,7 @@ class Stub(ast.NodeTransformer):
     def __init__(self, options):
         tree = ast.parse(options.read_text())
         self.classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
+        self.overloaded = None
         self.types = [node.targets[0].id for node in tree.body if isinstance(node, ast.Assign)][1:]  # not __all__
 
     def fields(self, name):
@@ -73,6 +80,10 @@ class Stub(ast.NodeTransformer):
         return inherited + [field for field in (node.body if node else []) if isinstance(field, ast.AnnAssign)]
 
     def visit_FunctionDef(self, node):
+        if node.decorator_list:
+            self.overloaded = node.name
+        elif node.name == self.overloaded:
+            return None  # the implementation
         arguments = node.args
         given = {argument.arg for argument in arguments.args + arguments.kwonlyargs}
         for field in self.fields(arguments.kwarg.annotation.slice.id) if arguments.kwarg else []:
@@ -84,12 +95,15 @@ class Stub(ast.NodeTransformer):
         node.body = node.body[:1] if ast.get_docstring(node) else [ast.Expr(ast.Constant(...))]
         return None if re.match("_[^_]", node.name) else node
 
+    def visit_If(self, node):
+        return None  # imports for type checkers
+
     def visit_Import(self, node):
         return node if node.names[0].name == "os" else None
 
     def visit_ImportFrom(self, node):
         more = {"typing": ["Literal", "Union"], "_options": self.types}.get(node.module, [])
-        names = [alias.name for alias in node.names if alias.name != "Unpack"]
+        names = [alias.name for alias in node.names if alias.name != "TYPE_CHECKING"]
         node.names = [ast.alias(name) for name in dict.fromkeys(names + more)]
         return node
 
@@ -105,6 +119,7 @@ class Sources(sdist):
 
     def make_release_tree(self, base_dir, files):
         super().make_release_tree(base_dir, files)
+        state_license(Path(base_dir, "PKG-INFO"))
         sources = Path(base_dir, "sources")
         lobe = [f"lobe/{part}" for part in ("include", "spec", "theory", "program", "shaders", "scripts")]
         for folder in ("base", *lobe, "include", "src", "program", "scripts/cmake"):
@@ -116,6 +131,10 @@ class Sources(sdist):
 
 
 class Wheel(bdist_wheel):
+    def egg2dist(self, egginfo_path, distinfo_path):
+        super().egg2dist(egginfo_path, distinfo_path)
+        state_license(Path(distinfo_path, "METADATA"))
+
     def get_tag(self):
         """Later Pythons load it too, and so does any Linux with the C library's symbols, if no other library is needed."""
         platform = super().get_tag()[2]
@@ -123,13 +142,13 @@ class Wheel(bdist_wheel):
         if platform.startswith("linux_") and set(re.findall(rb"(?<=\0)(?:lib|ld-)[\w.+-]+\.so\.\d+(?=\0)", extension)) <= SYSTEM:
             newest = max(map(int, re.findall(rb"\0GLIBC_2\.(\d+)", extension)))
             platform = platform.replace("linux", f"manylinux_2_{newest}", 1)
-        return ("cp311", "abi3", platform)
+        return ("cp39", "abi3", platform)
 
 
 BASE.mkdir(parents=True, exist_ok=True)
 setup(
     version=version(),
-    project_urls={"Source": URL} if URL else {},
+    project_urls={"Homepage": URL, "Source": URL, "Issues": f"{URL}/issues"} if URL else {},
     ext_modules=[Extension("burnish._burnish", sources=[], py_limited_api=True)],
     cmdclass={"build_ext": Build, "build_py": Modules, "bdist_wheel": Wheel, "sdist": Sources},
     options={"build": {"build_base": str(BASE / "base")}, "egg_info": {"egg_base": str(BASE)}},

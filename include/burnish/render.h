@@ -126,7 +126,10 @@ typedef struct burnish_render_options {
     int threads; /* [1, 1024] or BURNISH_THREADS_AUTO; does not affect the pixels */
     const burnish_kernels *kernels; /* NULL: burnish_kernels_best(); do not affect the pixels */
     burnish_camera camera;
-    burnish_lobe_spec lobe; /* one that burnish_lobe_spec_check() accepts; where a texture varies
+    double principal_point[2]; /* where the axis of a perspective meets the image: pixels to the
+                                  right of and above its middle, which is 0, 0 */
+    double pixel_aspect;       /* width of a pixel divided by its height, [0.01, 100]; 1: square */
+    burnish_lobe_spec lobe;    /* one that burnish_lobe_spec_check() accepts; where a texture varies
                                exponent, highlight or normal, POWER for COMPOSITE and EXACT */
     burnish_specular_model specular_model;
     int local_viewer;       /* 1: V points from the surface to the camera; 0: V is the axis of the

@@ -341,6 +341,12 @@ static const cli_flag flags[] = {
      CLI_RANGE(0.001, 179), .default_text = "30", .aliases = "fov,field-of-view,lens",
      .manual = "Vertical field of view: the angle from the lower to the upper edge of the picture, "
                "in degrees, from 0.001 to 179."},
+    {DRAW_FLAG("camera-intrinsics", "FX,FY,CX,CY", "focal lengths and principal point in pixels",
+               render_flag_intrinsics, camera.intrinsics),
+     .value_type = CLI_TYPE_VECTOR,
+     .manual = "A calibrated camera without distortion: its focal lengths and its principal point "
+               "in pixels, as in OpenCV, where 0,0 is the middle of the upper left pixel. Needs "
+               "*--camera-position* and replaces *--camera-view-angle*."},
     {DRAW_FLAG("zoom", "F", "divide the distance by F", cli_flag_real, camera.zoom),
      CLI_RANGE(1e-3, 1e3), .default_text = "1", .also = "camera-zoom-factor", .aliases = "scale",
      .manual = "Moves the camera nearer: divides the distance from the focal point, or the height "

@@ -17,7 +17,7 @@ VALUES = {
     "max-memory": "8000000000G", "max-input-bytes": "1000000", "camera-focal-point": "1,0,0", "camera-direction": "0,0,-1",
     "edges": "creases", "annotate": "axes,box,dimensions,grid",
 }
-UNTRIED = set("""output output-dir recursive files-from columns labels font no-labels output-format turntable camera
+UNTRIED = set("""camera-intrinsics output output-dir recursive files-from columns labels font no-labels output-format turntable camera
     environment-strength environment-turn center-lines input-format color-map color-range no-legend normals crease-angle
     animation-time animation variant plate joint scene hide only explode thumbnail point-size no-libraries root sandbox reference reference-threshold reference-difference look""".split())
 def value(flag):
@@ -164,6 +164,7 @@ useless color-map 'the colours of --color-by=normal are directions; use another 
 lines='no lines are drawn; use --edges'
 useless edge-color "$lines" --edge-color=red :sphere
 useless edge-width "$lines" --edge-width=3 --look=plain --views=front :sphere
+useless camera-intrinsics 'they belong to one perspective at an exact position; use --camera-position' --camera-intrinsics=90,90,9,9 :sphere
 useless camera-view-angle 'a parallel projection has no angle; use --camera-orthographic=no' --camera-view-angle=40 --views=front :sphere
 useless viewer 'the viewer of a parallel projection is distant; use --camera-orthographic=no' --viewer=distant --look=plain --views=top :sphere
 framed='other flags set the camera, so the object is not framed; omit one of them'

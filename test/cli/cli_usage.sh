@@ -17,6 +17,7 @@ expect 2 'burnish: --output: a value is missing before --json: --output=FILE' re
 expect 2 'burnish: --output: a value is missing before --help: --output=FILE' render :sphere -o --help
 expect 2 'burnish: --timing: takes no value; write --timing alone' render :sphere --timing=1
 expect 2 'burnish: --resolution: "0,5" is not a width and a height from 1 to 16384, such as 1024x768, or one number for both' render :sphere --resolution=0,5
+expect 2 'burnish: --camera-intrinsics: "9,0,1,1" is not four numbers of which the first two are above 0, such as 900,900,319.5,239.5' render :sphere --camera-intrinsics=9,0,1,1
 expect 2 'burnish: --camera-view-angle: "nan" is not a number from 0.001 to 179' render :sphere --camera-view-angle=nan
 expect 2 'burnish: --camera-position: "1,2" is not three numbers, such as 1,0.5,-2' render :sphere --camera-position=1,2
 expect 2 'burnish: --camera-direction: 0,0,0 has no direction; give a vector that is not zero' render :sphere --camera-direction=0,0,0

@@ -250,6 +250,9 @@ static void change_camera(frame *f) {
     f->framing.elevation = uniform(-40, 80);
     f->framing.orthographic = chance(30);
     f->nearer = chance(20) ? uniform(0, 0.9) : 0;
+    const int is_shifted = !f->framing.orthographic && chance(30);
+    f->options.principal_point[0] = is_shifted ? uniform(-9, 9) : 0;
+    f->options.pixel_aspect = is_shifted ? uniform(0.5, 2) : 1;
 }
 
 static void change_size(frame *f) {

@@ -15,17 +15,21 @@ from __future__ import annotations
 import copyreg
 import difflib
 import json
+import math
 import os
 from collections.abc import Iterable, Mapping
-from typing import Any, NamedTuple, Unpack
+from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
-from . import _burnish, _shapes, lobe
+from . import _burnish, _cameras, _shapes, lobe
 from ._burnish import ArgumentError, Error, FileError, Image, MissingFileError
 from ._options import Drawing, Loading, Options, Plane, Words
 
+if TYPE_CHECKING:
+    from typing import Unpack
+
 __all__ = [
     "ArgumentError", "Drawing", "Error", "FileError", "Filament", "Image", "Loading", "Mesh", "MissingFileError", "Options", "Part",
-    "Plate", "Scene", "__version__", "load", "lobe", "render",
+    "Plate", "Scene", "__version__", "load", "lobe", "render", "sheet",
 ]  # fmt: skip
 __version__: str = _burnish.version
 
@@ -182,13 +186,15 @@ class Mesh(_burnish.Mesh):
             _AXES.get(up, (0, 1, 0)), _pairs(options),
         )  # fmt: skip
 
-    def render(self, *, planes: Words[Plane] = (), **options: Unpack[Drawing]) -> Image:
+    def render(self, *, planes: Words[Plane] = (), K: Any = None, R: Any = None, t: Any = None, **options: Unpack[Drawing]) -> Image:
         """Draws the mesh, with options of drawing.
 
-        planes  of "depth", "normal", "triangle" and "coverage": arrays in the property planes of the image
+        planes   of "depth", "normal", "triangle" and "coverage": arrays in the property planes of the image
+        K, R, t  a camera as in OpenCV: a point p of the mesh is at K (R p + t), x right, y down, z forward, and pixel (0, 0) has its
+                 middle there. Distortion and skew are not possible.
         """
         _check("render", options, "draw", "load() or Mesh()")
-        return self._draw(_kinds(planes), _pairs(options))
+        return self._draw(_kinds(planes), _pairs({**options, **_cameras.options_of(K, R, t)}))
 
     @property
     def parts(self) -> list[Part]:
@@ -204,7 +210,7 @@ class Mesh(_burnish.Mesh):
     def filaments(self) -> list[Filament]:
         """Filament i + 1 of parts is item i."""
         contents = json.loads(self._contents())
-        return [Filament(*row) for row in zip(contents["filaments"], contents["filament_lengths"], strict=True)]
+        return [Filament(*row) for row in zip(contents["filaments"], contents["filament_lengths"])]
 
     def _repr_png_(self) -> bytes:
         return self.render(size=480).png()
@@ -268,6 +274,16 @@ def load(
     return Mesh(**{**arrays, **options})
 
 
+@overload
+def render(
+    source: Any, *, name: str | None = None, files: Mapping[str, Any] | None = None, tolerance: float | None = None,
+    planes: Words[Plane] = (), K: Any = None, R: Any = None, t: Any = None, cameras: None = None, **options: Unpack[Options],
+) -> Image: ...  # fmt: skip
+@overload
+def render(
+    source: Any, *, name: str | None = None, files: Mapping[str, Any] | None = None, tolerance: float | None = None,
+    planes: Words[Plane] = (), cameras: Iterable[Any], **options: Unpack[Options],
+) -> list[Image]: ...  # fmt: skip
 def render(
     source: Any,
     *,
@@ -275,9 +291,15 @@ def render(
     files: Mapping[str, Any] | None = None,
     tolerance: float | None = None,
     planes: Words[Plane] = (),
+    K: Any = None,
+    R: Any = None,
+    t: Any = None,
+    cameras: Iterable[Any] | None = None,
     **options: Unpack[Options],
-) -> Image:
-    """Draws what load() loads, or a Mesh.
+) -> Image | list[Image]:
+    """Draws what load() loads, or a Mesh. K, R and t are a camera as in Mesh.render().
+
+    cameras  several pictures, as a list: for each one (K, R, t) or a dictionary of options of drawing
 
     >>> front = burnish.render(":knot", size=48, views="front", lobe="minimax:4", color=(0.8, 0.3, 0.1), no_background=True)
     >>> front.mode, front.shape
@@ -287,10 +309,41 @@ def render(
     burnish.ArgumentError: samples: ...
     """
     if isinstance(source, Mesh):
-        return source.render(planes=planes, **options)
-    _check("render", options, None)
-    loading = {key: value for key, value in options.items() if "load" in _FLAGS[key]}
+        loading, drawing = {}, options
+        _check("render", options, "draw", "load() or Mesh()")
+    else:
+        _check("render", options, None)
+        loading = {key: value for key, value in options.items() if "load" in _FLAGS[key]}
+        drawing = {key: value for key, value in options.items() if "draw" in _FLAGS[key]}
+    drawing.update(_cameras.options_of(K, R, t))
     kinds = _kinds(planes)
-    pairs = _pairs({key: value for key, value in options.items() if "draw" in _FLAGS[key]})
-    _burnish.check(pairs)
-    return load(source, name=name, files=files, tolerance=tolerance, **loading)._draw(kinds, pairs)
+    shots = [one if isinstance(one, Mapping) else dict(zip("KRt", one)) for one in ([{}] if cameras is None else cameras)]
+    pairs = []
+    for shot in shots:
+        own = {key: value for key, value in shot.items() if key not in ("K", "R", "t")}
+        _check("render", own, "draw", "render(), for all cameras,")
+        pairs.append(_pairs({**drawing, **own, **_cameras.options_of(shot.get("K"), shot.get("R"), shot.get("t"))}))
+        _burnish.check(pairs[-1])
+    mesh = source if isinstance(source, Mesh) else load(source, name=name, files=files, tolerance=tolerance, **loading)
+    pictures = [mesh._draw(kinds, one) for one in pairs]
+    return pictures[0] if cameras is None else pictures
+
+
+def sheet(pictures: Iterable[Image], columns: int | None = None) -> Image:
+    """Pictures of one size as one, in rows.
+
+    >>> burnish.sheet(burnish.render(":knot", size=32, cameras=[{"views": view} for view in ("front", "top", "right")])).shape
+    (64, 64, 3)
+    """
+    items = list(pictures)
+    if len({item.shape for item in items}) != 1:
+        raise ValueError("pictures: expected one or more of the same size, all with or all without transparency")
+    (height, width, channels), columns = items[0].shape, columns or math.ceil(math.sqrt(len(items)))
+    blank = bytes([255 if channels == 3 else 0]) * (width * channels)
+    pixels = bytearray()
+    for first in range(0, len(items), columns):
+        row = [memoryview(item).cast("B") for item in items[first : first + columns]]
+        for start in range(0, height * len(blank), len(blank)):
+            pixels += b"".join(view[start : start + len(blank)] for view in row) + blank * (columns - len(row))
+    size = (-(-len(items) // columns) * height, columns * width, channels)
+    return _restore(bytes(pixels), size, sum(item.covered_pixels for item in items), {}, {}, ())

@@ -248,12 +248,13 @@ class Types(unittest.TestCase):
         right = (
             'burnish.load("a.stl", up="+Y", clip=[(1, 0, 0, 1)], threads=1)', 'burnish.render("a", annotate=["axes", "box"], occlusion=False)',
             "burnish.render(b'', size=(64, 48), color=None, planes=['depth']).save('b.png')", "burnish.Mesh([], normals=None, strict=True)",
+            'burnish.render("a", cameras=[{"azimuth": 30}], size=8)[0].save("c.png")', 'burnish.Mesh([]).render(K=[], R=[], t=[]).hash',
             'burnish.Mesh([]).render(look="clay", views="front", edges=["creases"], light="none", lobe="power")',
         )  # fmt: skip
         wrong = (
             'burnish.render("a", colour="red")', 'burnish.render("a", look="nice")', 'burnish.render("a", annotate=["axes", "bx"])',
             'burnish.load("a", size=3)', 'burnish.load("a").render(up="+Y")', 'burnish.render("a", look=False)', 'burnish.Mesh([], zoom=2)',
-            'burnish.render("a", planes=["depths"])', 'burnish.load("a", files=7)',
+            'burnish.render("a", cameras=[]).hash', 'burnish.render("a", planes=["depths"])', 'burnish.load("a", files=7)',
         )  # fmt: skip
         Path("types/use.py").write_text("\n".join(["import burnish", *right, *wrong]) + "\n")
         check = [sys.executable, "-m", "mypy", "--strict", "--python-executable", sys.executable]
@@ -289,6 +290,72 @@ class Planes(unittest.TestCase):
         self.assertEqual(len(depth.tolist()), 16)
         with self.assertRaisesRegex(ValueError, "planes: 'depths'; expected some of depth, normal, triangle, coverage"):
             burnish.render(":knot", planes=["depths"])
+
+
+class Cameras(unittest.TestCase):
+    R = ((0.36, 0.48, -0.8), (-0.8, 0.6, 0.0), (0.48, 0.64, 0.6))
+    t = (0.3, -0.2, 5.0)
+
+    @unittest.skipUnless(numpy, "no NumPy")
+    def test_projection(self):
+        """Depths of slanted planes are those of K, R and t, to a hundredth of a pixel across and down."""
+        K = numpy.array([[310.7, 0, 71.3], [0, 262.4, 40.9], [0, 0, 1]])
+        R, t = numpy.array(self.R), numpy.array(self.t)
+        width, height = 160, 120
+        rays = numpy.linalg.inv(K) @ numpy.stack([*numpy.meshgrid(range(width), range(height)), numpy.ones((height, width))]).reshape(3, -1)
+        for slope in ((3.0, 0.2), (-0.3, -4.0)):  # of z along x and y of the camera
+            corners = numpy.array([(x, y, 5 + slope[0] * x + slope[1] * y) for x, y in ((-0.7, -0.7), (0.7, -0.7), (0.3, 0.7))])
+            mesh = burnish.Mesh((corners - t) @ R)
+            shot = mesh.render(resolution=(width, height), planes=["depth", "coverage"], K=K, R=R, t=t.reshape(3, 1))
+            depth = numpy.asarray(shot.planes["depth"], float)
+            expected = (5 / (rays[2] - slope[0] * rays[0] - slope[1] * rays[1])).reshape(height, width)
+            steps = numpy.hypot(*numpy.gradient(expected))
+            inside = numpy.asarray(shot.planes["coverage"]) == 255
+            self.assertGreater(inside.sum(), 1000)
+            self.assertLess(numpy.max((abs(depth - expected) / steps)[inside]), 0.01)
+            at = K @ corners.mean(axis=0)
+            self.assertTrue(inside[round(at[1] / at[2]), round(at[0] / at[2])])
+
+    def test_usual_camera(self):
+        """The middle of the picture and equal focal lengths are the camera of other flags, bit by bit."""
+        camera = {"camera_position": (3, 2, 4), "camera_focal_point": (0, 0, 0), "camera_view_up": (0, 1, 0)}
+        usual = burnish.render(":knot", resolution=(64, 48), camera_view_angle=90, **camera)
+        self.assertEqual(burnish.render(":knot", resolution=(64, 48), camera_intrinsics=(24, 24, 31.5, 23.5), **camera).hash, usual.hash)
+
+    def test_several(self):
+        K = ((50, 0, 15.5), (0, 50, 15.5), (0, 0, 1))
+        mesh = burnish.load(":knot")
+        one = mesh.render(size=32, K=K, R=self.R, t=self.t, look="clay")
+        pictures = burnish.render(mesh, size=32, look="clay", cameras=[(K, self.R, self.t), {"views": "front"}])
+        self.assertEqual([picture.hash for picture in pictures], [one.hash, mesh.render(size=32, views="front", look="clay").hash])
+        self.assertEqual([p.hash for p in burnish.render(":knot", size=32, look="clay", cameras=[{"K": K, "R": self.R, "t": self.t}])], [one.hash])
+        self.assertEqual(burnish.render(mesh, cameras=[]), [])
+
+    def test_sheet(self):
+        pictures = burnish.render(":knot", size=(20, 16), no_background=True, cameras=[{"azimuth": angle} for angle in (0, 40, 80)])
+        sheet = burnish.sheet(pictures, columns=2)
+        rows = [sheet.tobytes()[start : start + 160] for start in range(0, 160 * 32, 160)]
+        self.assertEqual(b"".join(row[80:] for row in rows[:16]), pictures[1].tobytes())
+        self.assertEqual(b"".join(row[:80] for row in rows[16:]), pictures[2].tobytes())
+        self.assertEqual(set(b"".join(row[80:] for row in rows[16:])), {0})
+        self.assertEqual(burnish.sheet(iter(pictures)).hash, sheet.hash)
+        for wrong in ([], [pictures[0], burnish.render(":knot", size=20)]):
+            with self.assertRaises(ValueError):
+                burnish.sheet(wrong)
+
+    def test_refused(self):
+        K = ((50, 0, 16), (0, 50, 16), (0, 0, 1))
+        for kind, line, matrices in (
+            (TypeError, "together", {"K": K}), (ValueError, "expected K", {"K": ((50, 0, 16), (0, 1, 16)), "R": self.R, "t": self.t}),
+            (ValueError, "fx", {"K": ((50, 1, 16), *K[1:]), "R": self.R, "t": self.t}),
+            (ValueError, "rotation", {"K": K, "R": ((1, 0, 0), (0, 1, 0), (0, 0, -1)), "t": self.t}),
+            (ValueError, "rotation", {"K": K, "R": ((2, 0, 0), (0, 1, 0), (0, 0, 2)), "t": self.t}),
+            (burnish.ArgumentError, "camera_intrinsics: ", {"K": ((0, 0, 16), *K[1:]), "R": self.R, "t": self.t}),
+        ):  # fmt: skip
+            with self.assertRaisesRegex(kind, line):
+                burnish.render(":knot", **matrices)
+        with self.assertRaises(TypeError):
+            burnish.render(":knot", cameras=[{"up": "+Z"}])
 
 
 class Images(unittest.TestCase):
@@ -343,6 +410,11 @@ class Images(unittest.TestCase):
         for wrong in ((b"", (1, 1, 3)), (b"123", (1, 1, 2)), (b"", (0, 0, 3)), (b"", (1 << 20, 1 << 20, 3))):
             with self.assertRaises(ValueError):
                 _burnish.image(*wrong, 0, {}, {}, ())
+
+    def test_constructors(self):
+        for kind in (burnish.Image, burnish._burnish.Mesh, burnish._burnish.Array):
+            with self.assertRaisesRegex(TypeError, "constructor"):
+                kind()
 
     def test_pool(self):
         """Images and errors come back from other processes."""

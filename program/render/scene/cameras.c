@@ -4,7 +4,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
+#include "base/numbers.h"
 #include "render/scene/color.h"
+#include "render/scene/library_options.h"
 
 /* A right-handed frame for every up axis: right x up = front, which points to the viewer. */
 typedef struct frame {
@@ -239,6 +242,11 @@ static burnish_status explicit_camera(request from, burnish_camera *camera, burn
     memcpy(camera->focal_point, focal, sizeof camera->focal_point);
     memcpy(camera->view_up, upward, sizeof camera->view_up);
     camera->view_angle = settings->camera.view_angle.value;
+    if (render_is_calibrated(settings)) {
+        camera->view_angle =
+            2 / BURNISH_DEGREE *
+            burnish_atan2(settings->picture.size[1] / 2.0, settings->camera.intrinsics.values[1]);
+    }
     return BURNISH_STATUS_OK;
 }
 

@@ -223,11 +223,24 @@ burnish_status render_adjust_materials(const render_shading_settings *shading, b
     return status;
 }
 
+int render_is_calibrated(const render_settings *settings) {
+    const render_camera_settings *camera = &settings->camera;
+    return camera->intrinsics.given && camera->position.given &&
+           settings->picture.views.count == 0 && camera->projection != PROJECTION_PARALLEL &&
+           !camera->orthographic_height.given && !camera->same_scale;
+}
+
 burnish_render_options render_make_options(const render_settings *settings) {
     const render_shading_settings *shading = &settings->shading;
     const render_picture_settings *picture = &settings->picture;
     burnish_render_options options = burnish_render_options_default();
     burnish_render_options_set_look(&options, (burnish_look)shading->look, NULL);
+    if (render_is_calibrated(settings)) {
+        const double *k = settings->camera.intrinsics.values;
+        options.pixel_aspect = k[1] / k[0];
+        options.principal_point[0] = k[2] + 0.5 - picture->size[0] / 2.0;
+        options.principal_point[1] = picture->size[1] / 2.0 - k[3] - 0.5;
+    }
     options.width = picture->size[0];
     options.height = picture->size[1];
     options.first_row = picture->rows.first;

@@ -22,6 +22,9 @@ typedef struct render_blacks {
 burnish_status render_adjust_materials(const render_shading_settings *shading, burnish_mesh *mesh,
                                        render_blacks *blacks, burnish_error *error);
 
+/* Whether --camera-intrinsics has an effect: in one perspective from an exact position. */
+int render_is_calibrated(const render_settings *settings);
+
 /* The options of drawing, without camera and lobe, which each cell sets. */
 burnish_render_options render_make_options(const render_settings *settings);
 

@@ -81,8 +81,8 @@ static void find_slant(const burnish_mesh_view *view, double normal[3]) {
         const float *p = view->positions + 3 * i;
         const double at =
             normal[0] * (double)p[0] + normal[1] * (double)p[1] + normal[2] * (double)p[2];
-        low = fmin(low, at);
-        high = fmax(high, at);
+        low = at < low ? at : low; /* gcc 12 for aarch64 fails to compile fmin and fmax here */
+        high = at > high ? at : high;
     }
     if (is_straight || high - low > SLANTED * longest) {
         memset(normal, 0, 3 * sizeof *normal);

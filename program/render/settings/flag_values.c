@@ -296,6 +296,20 @@ burnish_status render_flag_range(const cli_flag *flag, const char *text, void *t
     return BURNISH_STATUS_OK;
 }
 
+burnish_status render_flag_intrinsics(const cli_flag *flag, const char *text, void *target,
+                                      burnish_error *error) {
+    render_intrinsics *intrinsics = target;
+    double *k = intrinsics->values;
+    if (!cli_read_reals(text, strlen(text), k, 4) || !(k[0] > 0 && k[1] > 0)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: \"%.60s\" is not four numbers of which the first two are above 0, "
+                        "such as 900,900,319.5,239.5",
+                        flag->name, text);
+    }
+    intrinsics->given = 1;
+    return BURNISH_STATUS_OK;
+}
+
 burnish_status render_flag_annotate(const cli_flag *flag, const char *text, void *target,
                                     burnish_error *error) {
     int kinds;

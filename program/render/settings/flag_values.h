@@ -38,6 +38,7 @@ cli_handler render_flag_plane;         /* render_planes */
 cli_handler render_flag_edges;         /* render_edges */
 cli_handler render_flag_tones;         /* int: a value of render_tone_words */
 cli_handler render_flag_projection;    /* int: render_projection */
+cli_handler render_flag_intrinsics;    /* render_intrinsics */
 cli_handler render_flag_no_sandbox;    /* int: 0 */
 cli_handler render_flag_annotate;      /* unsigned: sum of burnish_annotation */
 cli_handler render_flag_light;         /* render_lights */

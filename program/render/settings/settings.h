@@ -55,6 +55,12 @@ typedef enum render_projection {
     PROJECTION_PERSPECTIVE
 } render_projection;
 
+typedef struct render_intrinsics {
+    int given;
+    double values[4]; /* focal lengths and principal point in pixels: fx, fy, cx, cy, of which 0, 0
+                         is the middle of the first pixel */
+} render_intrinsics;
+
 typedef struct render_camera_settings {
     int up; /* render_up */
     const char
@@ -66,6 +72,7 @@ typedef struct render_camera_settings {
     const char *own; /* name or number of a camera of the input; NULL: none */
     cli_real azimuth, elevation, view_angle, zoom, margin;
     int projection; /* render_projection */
+    render_intrinsics intrinsics;
     cli_real orthographic_height;
     int same_scale;
 } render_camera_settings;

@@ -132,7 +132,7 @@ static void aim_camera(tracing *t) {
     const burnish_vec3 right =
         burnish_vec3_normalize(burnish_vec3_cross(t->forward, burnish_vec3_load(camera->view_up)));
     t->up = burnish_vec3_scale(burnish_vec3_cross(right, t->forward), pixel);
-    t->right = burnish_vec3_scale(right, pixel);
+    t->right = burnish_vec3_scale(right, pixel * t->options->pixel_aspect);
 }
 
 /* Whether the triangle is seen from inside the solid. */
@@ -155,9 +155,10 @@ static int shows_inside(const tracing *t, uint32_t triangle) {
 
 /* The cut that is entered last along a pixel's ray, where what is seen is that cut; else -1. */
 static int find_cut(const tracing *t, int x, int y, double depth) {
+    const double *middle = t->options->principal_point;
     const burnish_vec3 aside =
-        burnish_vec3_add(burnish_vec3_scale(t->right, x + 0.5 - 0.5 * t->map.width),
-                         burnish_vec3_scale(t->up, 0.5 * t->map.height - (y + 0.5)));
+        burnish_vec3_add(burnish_vec3_scale(t->right, x + 0.5 - 0.5 * t->map.width - middle[0]),
+                         burnish_vec3_scale(t->up, 0.5 * t->map.height - (y + 0.5) - middle[1]));
     const burnish_vec3 from = t->is_parallel ? burnish_vec3_add(t->eye, aside) : t->eye;
     const burnish_vec3 ray = t->is_parallel ? t->forward : burnish_vec3_add(t->forward, aside);
     double last = 0;

@@ -60,24 +60,39 @@ static void store_row(const camera_frame *frame, burnish_vec3 axis, double facto
     row[3] = (float)(constant - factor * burnish_vec3_dot(axis, frame->eye));
 }
 
-static void make_perspective(const camera_frame *frame, double view_angle, int height,
+/* Moves the middle of the image away from the axis. */
+static void move_axis(const double point[2], burnish_raster_view *raster, burnish_rays *rays) {
+    for (int i = 0; i < 4; ++i) {
+        raster->rows[0][i] += (float)point[0] * raster->rows[3][i];
+        raster->rows[1][i] += (float)point[1] * raster->rows[3][i];
+    }
+    for (int k = 0; k < 3; ++k) {
+        rays->ray[k] -= (float)point[0] * rays->ray_x[k] + (float)point[1] * rays->ray_y[k];
+    }
+}
+
+static void make_perspective(const camera_frame *frame, const burnish_render_options *options,
                              burnish_view *view) {
     burnish_raster_view *raster = &view->raster;
     burnish_rays *rays = &view->shading.rays;
     double sine, cosine;
-    burnish_sincos(view_angle * (BURNISH_DEGREE / 2), &sine, &cosine);
-    double pixels = height * 0.5 * cosine / sine; /* a unit at distance 1 */
-    store_row(frame, frame->right, pixels, 0, raster->rows[0]);
+    burnish_sincos(options->camera.view_angle * (BURNISH_DEGREE / 2), &sine, &cosine);
+    double pixels = options->height * 0.5 * cosine / sine; /* a unit at distance 1 */
+    double columns = pixels / options->pixel_aspect;
+    store_row(frame, frame->right, columns, 0, raster->rows[0]);
     store_row(frame, frame->up, pixels, 0, raster->rows[1]);
     memset(raster->rows[2], 0, sizeof raster->rows[2]);
     raster->rows[2][3] = (float)NEAR_PLANE;
     store_row(frame, frame->forward, 1, 0, raster->rows[3]);
     burnish_space_store(frame->forward, rays->ray);
-    burnish_space_store(burnish_vec3_scale(frame->right, 1 / pixels), rays->ray_x);
+    burnish_space_store(burnish_vec3_scale(frame->right, 1 / columns), rays->ray_x);
     burnish_space_store(burnish_vec3_scale(frame->up, 1 / pixels), rays->ray_y);
     memset(rays->ray_depth, 0, sizeof rays->ray_depth);
     rays->q_per_depth = (float)(1 / NEAR_PLANE);
     rays->q_constant = 0;
+    if (options->principal_point[0] != 0 || options->principal_point[1] != 0) {
+        move_axis(options->principal_point, raster, rays);
+    }
     view->distance = (burnish_view_distance){(float)(1 / frame->scale), 0};
     view->pixel = burnish_vec3_length(frame->eye) / pixels;
 }
@@ -451,7 +466,7 @@ static burnish_status make_raster(const burnish_mesh_view *mesh,
     if (camera->orthographic_height > 0) {
         make_orthographic(frame, camera->orthographic_height, options->height, view);
     } else {
-        make_perspective(frame, camera->view_angle, options->height, view);
+        make_perspective(frame, options, view);
     }
     return check_rows(frame, raster, error);
 }

@@ -16,6 +16,7 @@ void burnish_render_options_init(burnish_render_options *options, uint64_t layou
         .height = 768,
         .samples = 4,
         .camera = {.view_up = {0, 1, 0}, .view_angle = 30},
+        .pixel_aspect = 1,
         .lobe = {.fit = BURNISH_FIT_ENERGY, .order = 2, .by_material = 1},
         .local_viewer = 1,
         .environment_strength = 1,
@@ -71,6 +72,28 @@ static burnish_status check_camera(const burnish_camera *camera, burnish_error *
                             camera->view_angle);
     }
     return BURNISH_STATUS_OK;
+}
+
+static burnish_status check_lens(const burnish_render_options *options, burnish_error *error) {
+    const double *point = options->principal_point;
+    if (!(options->pixel_aspect >= 0.01 && options->pixel_aspect <= 100)) {
+        return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                            "camera: pixel aspect %g is not in [0.01, 100]", options->pixel_aspect);
+    }
+    for (int i = 0; i < 2; ++i) {
+        if (!(point[i] >= -BURNISH_IMAGE_MAX_SIZE && point[i] <= BURNISH_IMAGE_MAX_SIZE)) {
+            return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                                "camera: principal point %g, %g is more than %d pixels from the "
+                                "middle",
+                                point[0], point[1], BURNISH_IMAGE_MAX_SIZE);
+        }
+    }
+    const int is_usual = point[0] == 0 && point[1] == 0 && options->pixel_aspect == 1;
+    return options->camera.orthographic_height > 0 && !is_usual
+               ? burnish_fail(error, BURNISH_STATUS_ARGUMENT,
+                              "camera: only a perspective has a principal point and pixels that "
+                              "are not square; leave 0, 0 and 1")
+               : BURNISH_STATUS_OK;
 }
 
 static burnish_status check_lights(const burnish_render_options *options, burnish_error *error) {
@@ -319,6 +342,9 @@ burnish_status burnish_render_options_check(const burnish_render_options *option
     status = burnish_lobe_spec_check(&options->lobe, error);
     if (status == BURNISH_STATUS_OK) {
         status = check_camera(&options->camera, error);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        status = check_lens(options, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = check_occlusion(options, error);

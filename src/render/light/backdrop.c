@@ -32,8 +32,9 @@ burnish_backdrop burnish_backdrop_make(const burnish_render_options *options, bu
     burnish_light_axes(turned_up, options->environment_turn, axes);
     burnish_sincos(camera->view_angle * (BURNISH_DEGREE / 2), &sine, &cosine);
     const double pixel = 2 * sine / cosine / options->height; /* at distance 1 */
-    const double x = (0.5 - 0.5 * options->width) * pixel;
-    const double y = (0.5 * options->height - 0.5) * pixel;
+    const double wide = pixel * options->pixel_aspect;
+    const double x = (0.5 - 0.5 * options->width - options->principal_point[0]) * wide;
+    const double y = (0.5 * options->height - 0.5 - options->principal_point[1]) * pixel;
     const burnish_vec3 corner = burnish_vec3_add(
         forward, burnish_vec3_add(burnish_vec3_scale(right, x), burnish_vec3_scale(upward, y)));
     burnish_backdrop backdrop = {options->environment,
@@ -43,7 +44,7 @@ burnish_backdrop burnish_backdrop_make(const burnish_render_options *options, bu
                                  {0},
                                  {0}};
     store_along(axes, corner, backdrop.corner);
-    store_along(axes, burnish_vec3_scale(right, pixel), backdrop.right);
+    store_along(axes, burnish_vec3_scale(right, wide), backdrop.right);
     store_along(axes, burnish_vec3_scale(upward, -pixel), backdrop.down);
     return backdrop;
 }
