@@ -159,7 +159,7 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
         "thumbnail",
         info && (info->format == BURNISH_FORMAT_3MF || info->format == BURNISH_FORMAT_GCODE),
         "only 3MF files and G-code hold pictures of themselves; omit the flag"};
-    needs[6] = (cli_need){
+    needs[7] = (cli_need){
         "joint",
         info && (info->format == BURNISH_FORMAT_URDF || info->format == BURNISH_FORMAT_SCENE),
         "only robots (URDF) have joints; omit the flag"};

@@ -8,7 +8,7 @@ source=$3
 scratch=$4
 mkdir -p "$scratch"
 decoders= # of textures and gzip: those that the archive may have been built with
-for module in expat libpng libjpeg libwebp OpenEXR libisal zlib; do
+for module in expat libzstd libpng libjpeg libwebp OpenEXR libisal zlib; do
     decoders="$decoders $(pkg-config --libs $module 2>/dev/null || true)"
 done
 $compiler -std=c17 -O2 -Wall -Wextra -Werror -I"$source/lobe/include/burnish" "$source/docs/examples/copy_lobe.c" -lm -o "$scratch/copy_lobe"
