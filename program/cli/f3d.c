@@ -50,7 +50,7 @@ static const option options[] = {
      "coloring-by-cells,coloring-component,comp,denoise,display-depth,dpi-aware,filename,fps,"
      "fullscreen,grid-absolute,hdri-filename,interaction-style,inverse,invert-zoom,"
      "loading-progress,metadata,normal-glyphs,notifications,point-sprites,"
-     "point-sprites-absolute-size,progress,raytracing,raytracing-denoise,remove-empty-file-groups,"
+     "point-sprites-absolute-size,progress,raytracing-denoise,remove-empty-file-groups,"
      "scalar-coloring,scene-hierarchy,trackball,unlit,volume,volume-inverse,watch",
      "cdikmnorsuvyz", SWITCH, NULL, ""},
     {"animation-speed-factor,backdrop-color,backdrop-opacity,base-ior,blur-coc,colormap,"

@@ -499,6 +499,13 @@ static const cli_flag flags[] = {
                "lights are area lights, the strongest area light does, as if all of its light came "
                "from its centre. If it is wide and there is occlusion, its soft shadow on the "
                "object is there without this flag."},
+    {DRAW_SWITCH("raytracing", "find occlusion and shadows by rays", shading.raytracing),
+     .svg = CLI_SVG_REFUSED, .aliases = "ray-tracing,rays",
+     .manual =
+         "Casts rays at all triangles to find how much light arrives, instead of drawing depth "
+         "maps: all area lights cast soft shadows, exact at contacts and in narrow gaps, also "
+         "on the ground. Draws *--occlusion* unless it is *none*. Takes seconds for a large "
+         "picture. Not for points of a cloud."},
     {DRAW_FLAG("edges", "LIST", "draw edges", render_flag_edges, shading.edges),
      .value_type = CLI_TYPE_WORDS, .common = 1, .optional = 1, .words = edge_words, .off = "none",
      .aliases = "outline,outlines,feature-edges,no-edges",

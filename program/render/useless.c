@@ -125,6 +125,9 @@ static size_t list_scene_needs(const render_settings *settings, cli_need *needs)
          "values of vertices are not shown; use --color-by"},
         {"color-map,color-range,no-legend", !by || strcmp(by, "normal") != 0,
          "the colours of --color-by=normal are directions; use another value"},
+        {"raytracing",
+         !shading->occlusion.given || shading->occlusion.directions != 0 || shading->shadow,
+         "there is no occlusion or shadow to find; omit --occlusion=none"},
         {"exposure,tone-mapping", settings->shading.look != BURNISH_LOOK_DRAWING,
          "a drawing is not shaded; use another --look"},
         {"opacity,specular,exponent,equation,viewer,light", has_shades,
@@ -192,10 +195,13 @@ size_t render_list_input_needs(const render_settings *settings, const burnish_me
                                 "points have no edges; omit the flag"};
     needs[count++] = (cli_need){
         "color,no-colors,material,opacity,specular,exponent,lobe,equation,viewer,light,ambient,"
-        "exposure,tone-mapping,occlusion,ground,shadow,edges,wireframe,hidden-lines,center-lines,"
-        "outline-contrast,samples,normals,point-size",
+        "exposure,tone-mapping,occlusion,ground,shadow,raytracing,edges,wireframe,hidden-lines,"
+        "center-lines,outline-contrast,samples,normals,point-size",
         mesh && !burnish_mesh_get_view(mesh)->splats,
         "splats have colours of their own and no light; omit the flag"};
+    needs[count++] =
+        (cli_need){"raytracing", mesh && burnish_mesh_get_view(mesh)->point_radius == 0,
+                   "rays are cast at triangles, not at points; omit the flag"};
     return count;
 }
 

@@ -30,7 +30,7 @@ foreach(isa ${names})
   string(APPEND list "X(${name},${isa})")
 endforeach()
 set_source_files_properties(src/simd/isa.c src/raster/tile.c src/render/render_ops.c
-  src/environment/map_fill.c src/shading/kernels.c
+  src/environment/map_fill.c src/rays/ray_tree.c src/shading/kernels.c
   PROPERTIES COMPILE_DEFINITIONS "BURNISH_BUILT_ISAS=${list}")
 set(BURNISH_BUILT_NAMES ${names})
 

@@ -26,6 +26,8 @@ struct burnish_near_left;
 struct burnish_occlusion_lookup;
 struct burnish_passing;
 struct burnish_primitive;
+struct burnish_ray_light;
+struct burnish_ray_points;
 struct burnish_shadow_lookup;
 struct burnish_silhouette;
 struct burnish_splat_band;
@@ -104,6 +106,18 @@ typedef struct burnish_render_ops {
      * the eye, normals are unit vectors. Reads and writes whole vectors. */
     void (*occlude)(const struct burnish_occlusion_lookup *lookup, const float *const position[3],
                     const float *const normal[3], size_t count, float *const open[2]);
+
+    /* Casts rays `first` to first + count - 1 of the light's directions from points, and writes how
+     * many are hidden, the light that there is, and what is hidden of it. Reads and writes whole
+     * vectors. */
+    void (*sample_sky)(const struct burnish_ray_light *light,
+                       const struct burnish_ray_points *points, int first, int count,
+                       float *const sums[3]);
+
+    /* The same to places of a lamp; the first sum is how many are in its light. */
+    void (*sample_lamp)(const struct burnish_ray_light *light, int lamp,
+                        const struct burnish_ray_points *points, int first, int count,
+                        float *const sums[3]);
 
     /* Multiplies the light of count points by what they see of it, open[0], and adds what surfaces
      * around them, which hide the sky of open[1], send there.

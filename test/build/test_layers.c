@@ -54,6 +54,7 @@ static const struct layer {
     {"src/mesh/read/scene", "base core mesh/data mesh/read mesh/read/common mesh/read/io"},
     {"src/mesh/read/threemf", "base core mesh/data mesh/read/common mesh/read/io"},
     {"src/raster", "base core simd burnish/core.h"},
+    {"src/rays", "base core simd burnish/mesh.h"},
     {"src/image", "base core burnish/compare.h burnish/core.h burnish/image.h"},
     {"src/image/decode", "base core image/zlib_stream.h burnish/image.h"},
     {"src/image/text",
@@ -65,10 +66,10 @@ static const struct layer {
     {"src/render", "base core raster simd burnish/mesh.h"},
     {"src/render/drawing",
      "base core image/text/drawing.h render/frame burnish/drawing.h burnish/render.h"},
-    {"src/render/frame",
-     "base core simd raster shading render render/light render/lines render/splats render/texture "
-     "burnish/core.h burnish/look.h burnish/mesh.h burnish/render.h"},
-    {"src/render/light", "base core environment simd raster render render/texture shading "
+    {"src/render/frame", "base core simd raster rays shading render render/light render/lines "
+                         "render/splats render/texture "
+                         "burnish/core.h burnish/look.h burnish/mesh.h burnish/render.h"},
+    {"src/render/light", "base core environment simd raster rays render render/texture shading "
                          "burnish/light.h burnish/mesh.h burnish/render.h"},
     {"src/render/lines",
      "base core mesh/edges.h image/text/strokes.h raster render burnish/render.h"},
@@ -102,6 +103,7 @@ static const struct layer {
     {"bench", "burnish"},
     {"bench/kernels", "burnish"},
     {"bench/load", "burnish"},
+    {"bench/rays", "rays burnish"},
     {"bench/peers", "base core simd shading burnish"},
     {"bindings/wasm", "base base/cli base/wasm cli picture/read_png.h core/pool.h image/decode "
                       "mesh/read/io/beside.h burnish wasi"},

@@ -12,7 +12,7 @@ mkdir -p "$2/objects"
 rm -f "$2"/objects/*
 # Everything once, then a link for each test.
 (cd "$2/objects" && $compiler $flags $(built_isas neon) -ffunction-sections -c -pthread $(includes "$1") $(renderer_sources "$1") &&
-    compile_isa $compiler "$1" neon environment raster render shading && ar rcs renderer.a ./*.o)
+    compile_isa $compiler "$1" neon environment raster rays render shading && ar rcs renderer.a ./*.o)
 
 # program NAME: test_NAME.c for that processor. GCC 12.2 ends with an internal error if it vectorises sums in test_kernel_values.c.
 program() {

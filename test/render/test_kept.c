@@ -319,6 +319,7 @@ static void change_occlusion(frame *f) {
     f->options.occlusion_strength = (float)uniform(0, 1);
     f->options.ground = chance(60);
     f->options.shadow = chance(60);
+    f->options.raytracing = chance(50);
     for (int k = 0; k < 3; ++k) {
         f->options.up[k] = chance(30) ? uniform(-1, 1) : 0;
     }

@@ -105,7 +105,7 @@ typedef struct scene {
     burnish_look look;
     int samples;
     burnish_pixel_format format;
-    int kind, contrast, transparent, ground, shadow, edges, cull, parallel, is_near;
+    int kind, contrast, transparent, ground, shadow, edges, cull, parallel, is_near, rays;
 } scene;
 
 /* Everything that looks beyond a pixel: occlusion, whose look-ups neighbours share, layers, lines,
@@ -122,6 +122,9 @@ static const scene scenes[] = {
      .edges = BURNISH_EDGES_ALL},
     {"drawing", make_cut, BURNISH_LOOK_DRAWING, 4, BURNISH_PIXELS_RGBA8, .transparent = 1,
      .parallel = 1},
+    {"rays", make_plain, BURNISH_LOOK_STUDIO, 4, BURNISH_PIXELS_RGB8, .ground = 1, .rays = 1},
+    {"rays, glass", make_glass, BURNISH_LOOK_THREE_POINT, 1, BURNISH_PIXELS_RGB8, .shadow = 1,
+     .rays = 1},
     {"wireframe", make_plain, BURNISH_LOOK_STUDIO, 4, BURNISH_PIXELS_RGB8,
      .edges = BURNISH_EDGES_ALL},
     {"outline", make_white, BURNISH_LOOK_DRAWING, 4, BURNISH_PIXELS_RGBA_FLOAT, .contrast = 36},
@@ -162,6 +165,7 @@ static burnish_render_options make_options(const scene *s, const burnish_mesh *m
     options.transparent = s->transparent;
     options.ground = s->ground;
     options.shadow = s->shadow;
+    options.raytracing = s->rays;
     options.edges |= s->edges;
     options.cull_back_faces = s->cull;
     if (s->contrast) {

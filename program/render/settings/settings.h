@@ -129,7 +129,7 @@ typedef struct render_shading_settings {
     render_ambient ambient;
     render_occlusion occlusion;
     int ground; /* 1: drawn; -1: not; 0: in the look studio, if the object stands */
-    int shadow;
+    int shadow, raytracing;
     cli_real exposure;
     int tone_mapping; /* 1 + burnish_tone_mapping; 0: the look's */
     render_edges edges;

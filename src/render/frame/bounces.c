@@ -1,4 +1,5 @@
-/* Ambient occlusion and light that bounces, of batches. */
+/* Ambient occlusion, by depth maps or rays, and light that bounces. */
+#include "raster/raster_ops.h"
 #include "render/frame/surface.h"
 
 /* A point that sees no sky keeps so much of its light, by which the first light is divided. */
@@ -19,15 +20,20 @@ void burnish_occlude_batch(const burnish_shading *shading, const burnish_fragmen
         shared.position[k] = points->position[k];
         shared.normal[k] = points->normal[k];
     }
-    burnish_occlude_points(shading->occlusion, shading->ops, &shared, batch->count,
-                           &scratch->share);
+    if (shading->ray_light) {
+        burnish_ray_tile_look(scratch->rays, shading->ray_light, shading->ops, &shared,
+                              batch->count, &scratch->share, scratch->lit);
+    } else {
+        burnish_occlude_points(shading->occlusion, shading->ops, &shared, batch->count,
+                               &scratch->share);
+    }
     for (int i = 0; shading->hollow_from > 0 && i < 2 * batch->count; ++i) {
         float *const own = &scratch->share.open[i % 2][i / 2];
         const int is_hollow = scratch->texture.ids[i / 2] >> 1 >= shading->hollow_from;
         *own = is_hollow && *own < HOLLOW_OPEN ? HOLLOW_OPEN : *own;
     }
     float *const open = scratch->share.open[0];
-    for (int i = 0; i < batch->count && points->first_light; ++i) {
+    for (int i = 0; i < batch->count && points->first_light && shading->occlusion; ++i) {
         open[i] = open[i] > LEAST_OPEN ? open[i] : LEAST_OPEN;
         scratch->lit[i] /= open[i];
     }
@@ -65,4 +71,87 @@ void burnish_add_bounces_mixed(const burnish_shading *shading, const burnish_fra
         shading->occlusion, white, albedo,
         (const float *const[2]){scratch->share.open[0], scratch->share.open[1]},
         (size_t)batch->count, rgb);
+}
+
+/* ---- The points of a tile from which rays are cast: of each pixel the one that most of it shows ---- */
+
+/* Adds the points of a batch.
+ *   ranks  0: of complex pixels in a row, whose fragments are added by themselves */
+static void add_points(const burnish_shading *shading, const burnish_fragment_batch *batch,
+                       const uint16_t *ranks, const uint32_t *triangles,
+                       burnish_fragment_scratch *scratch) {
+    float *const position[3] = {scratch->position[0], scratch->position[1], scratch->position[2]};
+    shading->ops->position_from_depth(&shading->rays, &batch->points, (size_t)batch->count,
+                                      position, scratch->w);
+    for (int i = 0; i < batch->count; ++i) {
+        const float inverse = 1.0f / scratch->w[i];
+        const float p[3] = {position[0][i] * inverse, position[1][i] * inverse,
+                            position[2][i] * inverse};
+        const float normal[3] = {batch->normal[0][i], batch->normal[1][i], batch->normal[2][i]};
+        const int pixel = batch->pixels ? batch->pixels[i] : batch->first_pixel + i;
+        if (ranks[i] > 0) {
+            burnish_ray_tile_add(scratch->rays, shading->ray_light, pixel, ranks[i], p, normal,
+                                 triangles[i]);
+        }
+    }
+}
+
+static void add_fragments(const burnish_surface *surface, const burnish_raster_ops *ops,
+                          const burnish_tile *tile, burnish_fragments *fragments,
+                          burnish_fragment_scratch *scratch) {
+    uint16_t ranks[BURNISH_FRAGMENT_BATCH];
+    int next_block = 0;
+    while (ops->next_fragments(tile, surface->view, &next_block, fragments)) {
+        const burnish_fragment_batch batch =
+            burnish_shade_fragments(surface, tile, fragments, scratch, NULL);
+        for (int i = 0; i < batch.count; ++i) {
+            const int is_cap = surface->caps && scratch->hatch[i] != BURNISH_NO_CAP;
+            ranks[i] = burnish_ray_rank(fragments->samples[i]);
+            scratch->texture.ids[i] = is_cap ? UINT32_MAX : scratch->texture.ids[i];
+        }
+        add_points(surface->shading, &batch, ranks, scratch->texture.ids, scratch);
+    }
+}
+
+static void add_block_row(const burnish_surface *surface, const burnish_tile *tile, int number,
+                          burnish_fragment_scratch *scratch, burnish_row_light *row) {
+    const int start = number * BURNISH_BLOCK_ROW_PIXELS;
+    uint16_t ranks[BURNISH_BLOCK_ROW_PIXELS];
+    uint32_t triangles[BURNISH_BLOCK_ROW_PIXELS];
+    burnish_fragment_batch batch = {.count = BURNISH_BLOCK_ROW_PIXELS,
+                                    .first_pixel = start,
+                                    .points = burnish_row_points(surface->view, tile, number)};
+    batch.points.depth = tile->buffer.center_depths + start;
+    for (int k = 0; k < 3; ++k) {
+        batch.normal[k] = tile->buffer.planes[BURNISH_PLANE_X + k] + start;
+    }
+    for (int i = 0; i < BURNISH_BLOCK_ROW_PIXELS; ++i) {
+        const int32_t simple = row->pixels.simple[i];
+        const int is_there =
+            simple >= 0 && tile->buffer.dirty_blocks[number] >> i / BURNISH_BLOCK_PIXELS & 1;
+        const int is_cap = is_there && surface->caps && row->hatch[i] != BURNISH_NO_CAP;
+        ranks[i] = is_there ? UINT16_MAX : 0;
+        triangles[i] =
+            is_there && !is_cap ? burnish_tile_id_and_facing(tile, number, i, simple) : UINT32_MAX;
+    }
+    add_points(surface->shading, &batch, ranks, triangles, scratch);
+}
+
+void burnish_surface_cast_rays(const burnish_surface *surface, const burnish_raster_ops *ops,
+                               const burnish_tile *tile, burnish_fragments *fragments,
+                               burnish_fragment_scratch *scratch, burnish_row_light *row) {
+    burnish_ray_tile_begin(scratch->rays, tile->width, tile->height);
+    if (tile->options.samples > 1) {
+        add_fragments(surface, ops, tile, fragments, scratch);
+    }
+    for (int number = 0; number < BURNISH_TILE_BLOCKS; ++number) {
+        if (tile->buffer.dirty_blocks[number]) {
+            ops->classify_block_row(tile, number, &row->pixels);
+            if (surface->caps) {
+                burnish_cap_block_row(surface, tile, number, row);
+            }
+            add_block_row(surface, tile, number, scratch, row);
+        }
+    }
+    burnish_ray_tile_cast(scratch->rays, surface->shading->ray_light, surface->shading->ops);
 }

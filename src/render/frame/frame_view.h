@@ -18,6 +18,7 @@ typedef struct burnish_view {
     burnish_area_view area;
     double pixel; /* what one is wide there, about, in the middle of the mesh */
     burnish_occlusion_lookup occlusion;
+    burnish_ray_light ray_light;
     burnish_ground_view ground;
     burnish_vec3 key; /* toward the first light, a unit vector; 0, 0, 0: it is not directional */
     burnish_shadow_lookup shadow;

@@ -5,6 +5,7 @@
 #include "render/light/ground_simd.h"
 #include "render/light/near_cells_simd.h"
 #include "render/light/occlusion_simd.h"
+#include "render/light/ray_light_simd.h"
 #include "render/light/shadow_simd.h"
 #include "render/render_ops.h"
 #include "render/splats/splatting_simd.h"
@@ -25,6 +26,8 @@ const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD) = {
     OP(collect_material),
     OP(scatter_material),
     OP(occlude),
+    OP(sample_sky),
+    OP(sample_lamp),
     OP(add_bounces),
     OP(cast_shadow),
     OP(add_silhouette),

@@ -70,6 +70,7 @@ struct burnish_renderer {
     burnish_area area;
     burnish_tiles tiles;
     burnish_occlusion occlusion;
+    burnish_ray_tree rays;
     burnish_line_art line_art;
     burnish_outline outline;
     burnish_ground ground;
@@ -99,6 +100,12 @@ typedef struct burnish_call {
     const burnish_raster_ops *raster;
     const burnish_outline *outline; /* receives covered samples, or NULL */
 } burnish_call;
+
+/* The direction in which the object stands. */
+burnish_vec3 burnish_call_up(const burnish_call *d);
+
+/* Prepares the view's light. Errors: MEMORY, CANCELLED, LIMIT. */
+burnish_status burnish_call_find_light(burnish_call *d, burnish_texturing *texturing);
 
 /* Draws into the target and fills the report. Everything has been checked. */
 burnish_status burnish_call_run(burnish_call *d);

@@ -240,9 +240,11 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
     }
     if (shading->shadow) {
         shading->ops->cast_shadow(shading->shadow, &points, (size_t)batch->count, scratch->lit);
+    }
+    if (shading->shadow || (shading->ray_light && shading->ray_light->key >= 0)) {
         points.first_light = scratch->lit;
     }
-    if (shading->occlusion) {
+    if (shading->occlusion || shading->ray_light) {
         burnish_occlude_batch(shading, batch, &points, scratch);
     }
     if (shading->texturing) {

@@ -16,6 +16,7 @@
 #include "render/frame/caps.h"
 #include "render/light/near_cells.h"
 #include "render/light/occlusion_share.h"
+#include "render/light/ray_light.h"
 #include "render/render_ops.h"
 #include "render/space.h"
 #include "render/texture/texture.h"
@@ -83,6 +84,7 @@ typedef struct burnish_shading {
     burnish_rays rays;                                /* from the eye */
     int needs_position;                               /* 1: a point light or a local viewer */
     const struct burnish_occlusion_lookup *occlusion; /* NULL: none */
+    const burnish_ray_light *ray_light;               /* instead of depth maps; NULL: none */
     const struct burnish_shadow_lookup *shadow;       /* of the first light; NULL: none */
     const burnish_texturing *texturing;               /* NULL: no material is special */
     size_t hollow_from; /* triangles from this one on bound hollows of negative volumes; 0: none */
@@ -132,6 +134,7 @@ typedef struct burnish_fragment_scratch {
     float leaned[3][BURNISH_SHADE_BATCH], wide[3][BURNISH_SHADE_BATCH]; /* of sheen */
     burnish_material_group group;
     burnish_share_scratch share;
+    burnish_ray_tile *rays; /* of the tile; NULL where there is no ray_light */
     burnish_texture_scratch texture;
     burnish_near_scratch near;
     burnish_near_cells cells;          /* of the tile */
@@ -177,7 +180,8 @@ void burnish_shade_material(const burnish_shading *shading, const burnish_fragme
 
 /* ---- Occlusion and what bounces (bounces.c) ---- */
 
-/* Writes to scratch->share.open what points see of the light and the sky. Occlusion must not darken the first light
+/* Writes to scratch->share.open what points see of the light and the sky, by rays also to lit what they
+ * see of the light that casts a shadow. Occlusion must not darken the first light
  * as well where its shadow is drawn: it is divided by what it will be multiplied by. */
 void burnish_occlude_batch(const burnish_shading *shading, const burnish_fragment_batch *batch,
                            const burnish_kernels_points *points, burnish_fragment_scratch *scratch);
@@ -213,6 +217,11 @@ int burnish_surface_planes(const burnish_surface *surface);
 /* Prepares a tile that has been rasterised, before anything of it is shaded: near lights. */
 void burnish_surface_begin_tile(const burnish_surface *surface, const burnish_tile *tile,
                                 burnish_fragment_scratch *scratch);
+
+/* Casts the rays of a tile's pixels (bounces.c). fragments, row: scratch of the caller's. */
+void burnish_surface_cast_rays(const burnish_surface *surface, const burnish_raster_ops *ops,
+                               const burnish_tile *tile, burnish_fragments *fragments,
+                               burnish_fragment_scratch *scratch, burnish_row_light *row);
 
 /* Replaces the simple pixels of row `number` that are seen from inside by caps: in the
  * tile's planes, before they are shaded. */

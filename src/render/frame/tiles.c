@@ -232,6 +232,10 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
     const int is_covered = rasterize_tile(frame, bins, worker, column, row);
     if (is_covered && frame->output.target.pixels.pixels) {
         burnish_surface_begin_tile(&frame->surface, tile, &worker->scratch);
+        if (frame->surface.shading->ray_light) {
+            burnish_surface_cast_rays(&frame->surface, frame->ops, tile, &worker->fragments,
+                                      &worker->scratch, &worker->row);
+        }
     }
     shade_layers(frame, bins, worker, column, row);
     const burnish_row_range drawn = keep_drawn_rows(&frame->output, tile);
@@ -354,6 +358,7 @@ static void destroy_workers(burnish_tiles *tiles, const burnish_context *context
         burnish_tile_destroy(&tiles->workers[i].tile);
         burnish_release(context, tiles->workers[i].layers);
         burnish_release(context, tiles->workers[i].carver);
+        burnish_release(context, tiles->workers[i].scratch.rays);
     }
     burnish_release(context, tiles->workers);
     tiles->workers = NULL;
@@ -403,7 +408,8 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
         .samples = frame->output.samples,
         .planes = burnish_surface_planes(surface),
         .keep_ids = surface->triangle_materials || frame->drawn || target->triangles ||
-                    surface->caps || surface->shading->texturing || frame->carving,
+                    surface->caps || surface->shading->texturing || surface->shading->ray_light ||
+                    frame->carving,
         .needs_position = surface->shading->needs_position || target->depth || surface->caps ||
                           surface->shading->texturing,
         .has_layers = frame->carving ? 2 : surface->transparency != NULL,
@@ -415,8 +421,14 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
         destroy_workers(tiles, frame->context);
         status = create_workers(tiles, threads, &needed, frame->context, error);
     }
-    for (int i = 0; i < tiles->worker_count; ++i) {
+    burnish_memory memory = burnish_memory_of(frame->context, error);
+    for (int i = 0; i < tiles->worker_count && status == BURNISH_STATUS_OK; ++i) {
         burnish_tile_worker *worker = &tiles->workers[i];
+        if (surface->shading->ray_light && !worker->scratch.rays) {
+            worker->scratch.rays =
+                burnish_allocate(&memory, 1, sizeof *worker->scratch.rays, "rays of a tile");
+            status = memory.status;
+        }
         worker->covered_pixels = 0;
         worker->is_carved_too_much = 0;
         if (surface->shading->texturing) {

@@ -228,7 +228,8 @@ static void find_key(burnish_area *area, const burnish_render_options *options,
             area->toward_key = toward;
         }
     }
-    if (area->key >= 0 && is_occluded(options, &options->area_lights[area->key], most)) {
+    if (area->key >= 0 && !options->raytracing &&
+        is_occluded(options, &options->area_lights[area->key], most)) {
         area->key = -1;
     }
 }
@@ -627,4 +628,16 @@ void burnish_area_add_radiance(const burnish_area *area, const burnish_render_op
     }
     burnish_map_light_add_polygons(&light);
     burnish_map_light_add(&light, w, count, rgb);
+}
+
+int burnish_area_list(const burnish_render_options *options, const burnish_area_view *view,
+                      burnish_area_light lights[BURNISH_AREA_LIGHT_MAX], int numbers[]) {
+    int count = 0;
+    for (int i = 0; i < options->area_light_count; ++i) {
+        if (light_shines(&options->area_lights[i])) {
+            numbers[count] = i;
+            lights[count++] = light_from_center(view, &options->area_lights[i]);
+        }
+    }
+    return count;
 }

@@ -189,4 +189,9 @@ void burnish_area_integrate(const burnish_area *area, const burnish_kernels *ker
 
 void burnish_area_destroy(burnish_area *area, const burnish_context *context);
 
+/* Writes the area lights that shine, in the raster's space, and their numbers in the options; returns
+ * how many there are. */
+int burnish_area_list(const burnish_render_options *options, const burnish_area_view *view,
+                      burnish_area_light lights[BURNISH_AREA_LIGHT_MAX], int numbers[]);
+
 #endif

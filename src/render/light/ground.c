@@ -102,8 +102,36 @@ static int size_of(const burnish_shadow *shadow) {
     return shadow ? shadow->size : 0;
 }
 
+/* The lamp that rays from the ground look for: the sun, or the one that is the strongest; -1: none. */
+static int lamp_of(const burnish_ground_light *light) {
+    double most = 0.99;
+    int best = -1;
+    for (int i = 0; i < light->rays->lamp_count && light->sun < 0; ++i) {
+        const burnish_vec3 toward =
+            burnish_vec3_normalize(burnish_vec3_loadf(light->rays->lamps[i].center));
+        if (burnish_vec3_dot(toward, light->key) > most) {
+            most = burnish_vec3_dot(toward, light->key);
+            best = i;
+        }
+    }
+    return light->sun < 0 ? best : light->sun;
+}
+
+static int is_cast(const burnish_ground *ground, const burnish_ground_light *light) {
+    const burnish_vec3 turned = burnish_vec3_sub(ground->light, light->key);
+    const int lamp = lamp_of(light);
+    static const burnish_ray_lamp none;
+    return ground->maps == light->rays->tree->mesh && ground->count == 0 &&
+           burnish_vec3_length(turned) == 0 && ground->edge == edge_for(light->side) &&
+           memcmp(&ground->lamp, lamp < 0 ? &none : &light->rays->lamps[lamp],
+                  sizeof ground->lamp) == 0;
+}
+
 int burnish_ground_is_drawn(const burnish_ground *ground, const burnish_ground_light *light) {
     const burnish_occlusion *occlusion = light->occlusion;
+    if (light->rays) {
+        return is_cast(ground, light);
+    }
     const burnish_vec3 turned = burnish_vec3_sub(ground->light, light_of(light));
     return burnish_vec3_length(turned) == 0 && ground->light_size == size_of(light->shadow) &&
            ground->maps == occlusion->mesh && ground->count == occlusion->count &&
@@ -167,6 +195,12 @@ static double key_weight(burnish_vec3 key, burnish_vec3 from, int count) {
     return outside < 1 ? (1 - outside) * (1 - outside) : 0;
 }
 
+/* The strongest area light's share of the ground's light. */
+static double key_share(const burnish_ground *ground, const burnish_ground_light *light) {
+    const double share = burnish_vec3_dot(light->key, ground->up) / KEY_SETTING;
+    return share > 0 ? KEY_SHARE * (share < 1 ? share : 1) : 0;
+}
+
 /* Those of the depth maps that see the plane from below. The light of the sky is 1 together. */
 static void find_silhouettes(const burnish_ground_light *light, ground_context *context) {
     const burnish_ground *ground = context->ground;
@@ -188,8 +222,7 @@ static void find_silhouettes(const burnish_ground_light *light, ground_context *
             key += keys[n];
         }
     }
-    double share = burnish_vec3_dot(light->key, ground->up) / KEY_SETTING;
-    share = key > 0 && share > 0 ? KEY_SHARE * (share < 1 ? share : 1) : 0;
+    const double share = key > 0 ? key_share(ground, light) : 0;
     for (int n = 0; n < context->count; ++n) {
         const double direct = share > 0 ? share * keys[n] / key : 0;
         context->silhouettes[n].weight = (float)((1 - share) * heights[n] / sky + direct);
@@ -286,6 +319,97 @@ static void add_light(ground_context *context, const burnish_shadow *shadow, bur
     darken(context, tasks);
 }
 
+/* ---- By rays ---- */
+
+/* How far above the plane rays start. */
+#define RAY_OFFSET 0x1p-13f
+
+typedef struct ground_rays {
+    ground_context *ground;
+    burnish_ray_light light;
+    int lamp;
+    float lamp_share; /* of the ground's light */
+} ground_rays;
+
+/* What is hidden from every second texel of a row. Four of them together cast rays in all directions. */
+static void cast_texels(const ground_rays *rays, size_t row, size_t first) {
+    enum { POINTS = BURNISH_GROUND_SIZE / 2 + 16, LAMP_RAYS = BURNISH_RAY_DIRECTIONS };
+    const burnish_ground *ground = rays->ground->ground;
+    const double step = 1 / texels_of(ground), middle = middle_of(ground);
+    const int pattern = (int)(row % 2 * 2 + first);
+    float values[6][POINTS] = {{0}}, sums[3][POINTS];
+    float *const to[3] = {sums[0], sums[1], sums[2]};
+    const burnish_ray_points points = {{values[0], values[1], values[2]},
+                                       {values[3], values[4], values[5]},
+                                       {values[3], values[4], values[5]},
+                                       (size_t)ground->edge / 2};
+    float *hidden = ground->layers + row * (size_t)ground->edge + first;
+    for (size_t i = 0; i < points.count; ++i) {
+        const double x = ((double)(2 * i + first) - middle) * step;
+        const double y = ((double)row - middle) * step;
+        const burnish_vec3 p =
+            burnish_vec3_add(burnish_vec3_scale(ground->up, ground->height),
+                             burnish_vec3_add(burnish_vec3_scale(ground->across[0], x),
+                                              burnish_vec3_scale(ground->across[1], y)));
+        const float at[6] = {(float)p.x,          (float)p.y,          (float)p.z,
+                             (float)ground->up.x, (float)ground->up.y, (float)ground->up.z};
+        for (int k = 0; k < 6; ++k) {
+            values[k][i] = at[k];
+        }
+    }
+    rays->ground->ops->sample_sky(&rays->light, &points, pattern * BURNISH_RAY_DIRECTIONS,
+                                  BURNISH_RAY_DIRECTIONS, to);
+    for (size_t i = 0; i < points.count; ++i) {
+        hidden[2 * i] = (1 - rays->lamp_share) * (sums[0][i] / BURNISH_RAY_DIRECTIONS);
+    }
+    if (rays->lamp_share > 0) {
+        rays->ground->ops->sample_lamp(&rays->light, rays->lamp, &points, pattern * LAMP_RAYS,
+                                       LAMP_RAYS, to);
+    }
+    for (size_t i = 0; i < points.count && rays->lamp_share > 0; ++i) {
+        hidden[2 * i] += sums[1][i] > 0 ? rays->lamp_share * (sums[2][i] / sums[1][i]) : 0;
+    }
+}
+
+static void cast_rows(void *from, size_t first, size_t end) {
+    for (size_t row = first; row < end; ++row) {
+        cast_texels(from, row, 0);
+        cast_texels(from, row, 1);
+    }
+}
+
+/* What is hidden of the sky and of an area light, or of the sun alone, to darkness. */
+static void darken_by_rays(ground_context *context, const burnish_ground_light *from, double share,
+                           int lamp, burnish_tasks *tasks) {
+    const size_t edge = (size_t)context->ground->edge;
+    ground_rays rays = {context, *from->rays, lamp, (float)share};
+    memset(rays.light.eye, 0, sizeof rays.light.eye);
+    rays.light.offset = RAY_OFFSET; /* whatever the camera */
+    for (int i = 0; i < BURNISH_RAY_LIGHT_EDGE * BURNISH_RAY_LIGHT_EDGE; ++i) {
+        rays.light.light[i] = 1;
+    }
+    context->layers = 1;
+    burnish_tasks_ranges(tasks, edge, 1, cast_rows, &rays);
+    burnish_tasks_ranges(tasks, edge / STRIP, 1, blur_strips, context);
+    burnish_tasks_ranges(tasks, 1, 1, transpose_layers, context);
+    burnish_tasks_ranges(tasks, edge, STRIP, darken_rows, context);
+}
+
+static void cast_ground(burnish_ground *ground, ground_context *context,
+                        const burnish_ground_light *light, burnish_tasks *tasks) {
+    const int lamp = lamp_of(light);
+    const double share = lamp < 0 ? 0 : key_share(ground, light);
+    darken_by_rays(context, light, light->sun < 0 ? share : 0, lamp, tasks);
+    if (light->sun >= 0) {
+        context->strength = LIGHT_STRENGTH;
+        darken_by_rays(context, light, 1, lamp, tasks);
+    }
+    memset(&ground->lamp, 0, sizeof ground->lamp);
+    if (lamp >= 0) {
+        memcpy(&ground->lamp, &light->rays->lamps[lamp], sizeof ground->lamp);
+    }
+}
+
 /* Where the texture is dark. */
 static void find_dark(burnish_ground *ground) {
     const int edge = ground->edge;
@@ -328,7 +452,11 @@ burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_render_
     burnish_status status = memory->status;
     if (status == BURNISH_STATUS_OK) {
         memset(ground->texels, 0, texels * sizeof *ground->texels);
-        find_silhouettes(light, &context);
+        if (light->rays) {
+            cast_ground(ground, &context, light, tasks);
+        } else {
+            find_silhouettes(light, &context);
+        }
         if (context.count > 0) { /* of very few directions none sees the plane from below */
             darken(&context, tasks);
         }
@@ -339,10 +467,10 @@ burnish_status burnish_ground_draw(burnish_ground *ground, const burnish_render_
     }
     if (status == BURNISH_STATUS_OK) {
         find_dark(ground);
-        ground->maps = light->occlusion->mesh;
-        ground->count = light->occlusion->count;
+        ground->maps = light->rays ? light->rays->tree->mesh : light->occlusion->mesh;
+        ground->count = light->rays ? 0 : light->occlusion->count;
         ground->size = light->occlusion->size;
-        ground->light = light_of(light);
+        ground->light = light->rays ? light->key : light_of(light);
         ground->light_size = size_of(light->shadow);
     }
     return status;

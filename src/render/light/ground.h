@@ -7,12 +7,15 @@
  * sky: its edge is blurred by the width of the cone at the blocker. Silhouettes are added up by
  * width of blur, so that few blurs serve all. Silhouettes against the strongest area light weigh
  * more: its shadow is the more blurred, the higher its edge is. The shadow of a directional light,
- * where there is one, is one more silhouette, against that light. */
+ * where there is one, is one more silhouette, against that light.
+ *
+ * Where rays are cast, each texel casts them to the sky and to that light. */
 #ifndef BURNISH_RENDER_LIGHT_GROUND_H
 #define BURNISH_RENDER_LIGHT_GROUND_H
 
 #include "core/tasks.h"
 #include "render/light/occlusion.h"
+#include "render/light/ray_light.h"
 #include "render/light/shadow.h"
 #include "render/render_ops.h"
 
@@ -39,9 +42,10 @@ typedef struct burnish_silhouette {
 typedef struct burnish_ground {
     uint64_t mesh;              /* whose plane it is, burnish_mesh_view.serial; 0: nobody's */
     uint64_t maps;              /* whose shadow it is, burnish_occlusion.mesh; 0: nobody's */
-    int count, size;            /* of the depth maps */
+    int count, size;            /* of the depth maps; 0: rays were cast */
     burnish_vec3 light;         /* that casts a shadow; 0: none does */
     int light_size;             /* of its depth map; 0: it is an area light */
+    burnish_ray_lamp lamp;      /* that rays look for */
     int edge;                   /* texels along the texture's edge, a multiple of 16 */
     burnish_vec3 up, across[2]; /* unit vectors; the texture's axes */
     double height;              /* of the plane: p . up, in the raster's space */
@@ -56,6 +60,8 @@ typedef struct burnish_ground {
 typedef struct burnish_ground_light {
     const burnish_occlusion *occlusion; /* maps toward the sky */
     const burnish_shadow *shadow;       /* of the first light, directional; or NULL */
+    const burnish_ray_light *rays;      /* that are cast instead; or NULL */
+    int sun;                            /* the lamp that is the first light, directional; or -1 */
     burnish_vec3 key;                   /* toward the strongest area light; 0: none */
     int side;                           /* pixels along the picture's shorter edge */
 } burnish_ground_light;

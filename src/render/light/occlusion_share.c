@@ -9,8 +9,7 @@
 
 enum { NO_KEY = 0xffff };
 
-/* Positions themselves, unit normals. */
-static void prepare_points(const burnish_render_ops *ops, const burnish_share_points *points,
+void burnish_share_prepare(const burnish_render_ops *ops, const burnish_share_points *points,
                            int count, burnish_share_scratch *scratch) {
     float *const normal[3] = {scratch->normal[0], scratch->normal[1], scratch->normal[2]};
     float inverse[BURNISH_SHARE_BATCH];
@@ -163,7 +162,7 @@ static void look_up(const burnish_occlusion_lookup *lookup, const burnish_render
 void burnish_occlude_points(const burnish_occlusion_lookup *lookup, const burnish_render_ops *ops,
                             const burnish_share_points *points, int count,
                             burnish_share_scratch *scratch) {
-    prepare_points(ops, points, count, scratch);
+    burnish_share_prepare(ops, points, count, scratch);
     for (int i = 0; i < count; ++i) {
         scratch->open[0][i] = scratch->open[1][i] = 1.0f;
     }

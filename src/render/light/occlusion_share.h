@@ -34,6 +34,10 @@ typedef struct burnish_share_scratch {
     uint16_t first[BURNISH_SHARE_SQUARES]; /* key of a square, if square[key] is that square */
 } burnish_share_scratch;
 
+/* Writes the points' positions, and their normals as unit vectors, to the scratch. */
+void burnish_share_prepare(const burnish_render_ops *ops, const burnish_share_points *points,
+                           int count, burnish_share_scratch *scratch);
+
 /* Writes what the points see of the light and the sky, less than 1 by at most the strength, to
  * scratch->open. */
 void burnish_occlude_points(const burnish_occlusion_lookup *lookup, const burnish_render_ops *ops,

@@ -1,0 +1,112 @@
+/* Occlusion and shadows by rays. Each pixel casts a few to the sky and to each area light, neighbours
+ * others, and what a point sees is the mean over the pixels around it whose surface is its own: so a
+ * picture has no noise that changes. Rays find shares of light, whose amount is known without them. */
+#ifndef BURNISH_RENDER_LIGHT_RAY_LIGHT_H
+#define BURNISH_RENDER_LIGHT_RAY_LIGHT_H
+
+#include "burnish/light.h"
+#include "burnish/mesh.h"
+#include "raster/tile_layout.h"
+#include "rays/rays.h"
+#include "render/light/occlusion_share.h"
+#include "render/render_ops.h"
+
+enum {
+    BURNISH_RAY_SAMPLES = 4,                     /* of a pixel */
+    BURNISH_RAY_PATTERNS = BURNISH_BLOCK_PIXELS, /* one per pixel of a block */
+    BURNISH_RAY_DIRECTIONS = BURNISH_RAY_SAMPLES * BURNISH_RAY_PATTERNS, /* of these */
+    BURNISH_RAY_DIRECTIONS_MAX = 4 * BURNISH_RAY_DIRECTIONS,             /* of the ground */
+    BURNISH_RAY_LIGHT_EDGE = 16                                          /* of the table of light */
+};
+
+/* A light that rays look for, in the raster's space; of a distant one, from everywhere. */
+typedef struct burnish_ray_lamp {
+    burnish_area_shape shape;
+    int is_distant, is_two_sided;
+    float center[3], half[2][3], radius; /* of a sphere or line */
+    float strength; /* luminance times 4 or pi, for the area of the sides' product, by pi */
+} burnish_ray_lamp;
+
+/* A frame's. */
+typedef struct burnish_ray_light {
+    const burnish_ray_tree *tree;
+    const burnish_ray_ops *ops;
+    const burnish_mesh_view *mesh; /* that is drawn, with the ids of the raster */
+    float eye[3];                  /* the camera, in the raster's space */
+    float offset;                  /* off a surface's triangle */
+    float near;                    /* points so far from a point's plane are of another surface */
+    int has_sky;                   /* 0: only shadows of lamps are wanted */
+    float strength;                /* [0, 1]: what a point that sees no sky loses of its light */
+    /* across, across and along a normal: evenly by cosine, all of them, a pattern's, and those of the
+     * first patterns */
+    float directions[BURNISH_RAY_DIRECTIONS_MAX][3];
+    /* what arrives from directions: rows of an octahedron that is folded out, whose corners are at
+     * those of the table */
+    float light[BURNISH_RAY_LIGHT_EDGE * BURNISH_RAY_LIGHT_EDGE];
+    /* where rays meet lamps: evenly over a square and a disc, in its half sides */
+    float places[2][BURNISH_RAY_DIRECTIONS_MAX][2];
+    burnish_ray_lamp lamps[BURNISH_AREA_LIGHT_MAX + 1 /* and a directional one */];
+    int lamp_count, key; /* the lamp whose shadow is kept apart, or -1 */
+} burnish_ray_light;
+
+/* Direction i of the table of light, a unit vector. */
+burnish_vec3 burnish_ray_light_direction(int i);
+
+/* Points that cast rays: from the eye, unit normals, and the normals of their triangles. */
+typedef struct burnish_ray_points {
+    const float *position[3], *normal[3], *face[3];
+    size_t count; /* at most BURNISH_OCCLUDED_MAX, readable up to the next multiple of 16 */
+} burnish_ray_points;
+
+/* What rays of a point found: how many to the sky are hidden; then of the sky, and of each lamp, the
+ * light without what hides it, and what is hidden of it. */
+enum {
+    BURNISH_RAY_COVERED,
+    BURNISH_RAY_SKY,
+    BURNISH_RAY_LAMPS = BURNISH_RAY_SKY + 2,
+    BURNISH_RAY_LAMPS_MAX = BURNISH_AREA_LIGHT_MAX + 1, /* and a directional one */
+    BURNISH_RAY_SUMS = BURNISH_RAY_LAMPS + 2 * BURNISH_RAY_LAMPS_MAX
+};
+
+/* The pixels of a tile, row after row. */
+typedef struct burnish_ray_tile {
+    float position[3][BURNISH_TILE_PIXELS], normal[3][BURNISH_TILE_PIXELS];
+    float face[3][BURNISH_TILE_PIXELS];
+    float sums[BURNISH_RAY_SUMS][BURNISH_TILE_PIXELS];
+    uint16_t rank[BURNISH_TILE_PIXELS];  /* of the point that stands for the pixel; 0: none */
+    uint16_t cut[BURNISH_TILE_PIXELS];   /* bit i: some rays to lamp i are not in its light */
+    uint16_t mixed[BURNISH_TILE_PIXELS]; /* bit i: rays to lamp i did not agree; there are more */
+    int width, height;
+} burnish_ray_tile;
+
+void burnish_ray_tile_begin(burnish_ray_tile *tile, int width, int height);
+
+/* The rank of a fragment: the one of the most samples stands for a pixel, of equals the first sample's.
+ */
+static inline uint16_t burnish_ray_rank(unsigned samples) {
+    return (uint16_t)(__builtin_popcount(samples) * 16 + 15 - __builtin_ctz(samples));
+}
+
+/* A point of pixel `pixel`, unless one of a higher rank stands for it.
+ *   normal  of any length; triangle: burnish_primitive.id_and_facing, or UINT32_MAX for a cap */
+void burnish_ray_tile_add(burnish_ray_tile *tile, const burnish_ray_light *light, int pixel,
+                          uint16_t rank, const float position[3], const float normal[3],
+                          uint32_t triangle);
+
+/* Casts the rays of all pixels. */
+void burnish_ray_tile_cast(burnish_ray_tile *tile, const burnish_ray_light *light,
+                           const burnish_render_ops *ops);
+
+/* Writes what points see of the light and the sky to scratch->open, and of the lamp that is kept apart
+ * to lit. Points that no pixel around stands for cast rays of their own. */
+void burnish_ray_tile_look(const burnish_ray_tile *tile, const burnish_ray_light *light,
+                           const burnish_render_ops *ops, const burnish_share_points *points,
+                           int count, burnish_share_scratch *scratch, float *lit);
+
+/* Sets directions and places. */
+void burnish_ray_light_prepare(burnish_ray_light *light);
+
+/* Adds a lamp, which is in the raster's space. */
+void burnish_ray_light_add(burnish_ray_light *light, const burnish_area_light *lamp);
+
+#endif

@@ -1,0 +1,208 @@
+/* The rays of points: where they go, and what light they stand for. */
+#ifndef BURNISH_RENDER_LIGHT_RAY_LIGHT_SIMD_H
+#define BURNISH_RENDER_LIGHT_RAY_LIGHT_SIMD_H
+
+#include "rays/ray_axes_simd.h"
+#include "render/light/depth_map_simd.h"
+#include "render/light/ray_light.h"
+
+/* Longer than the mesh is wide, from anywhere near it. */
+#define RAY_REACH 64.0f
+
+/* The table's light from a direction, bilinear. */
+BURNISH_INLINE vf light_from(const burnish_ray_light *light, const vf d[3]) {
+    enum { EDGE = BURNISH_RAY_LIGHT_EDGE };
+    const vf zero = vf_set(0.0f), one = vf_set(1.0f), half = vf_set(0.5f * (EDGE - 1));
+    vf at[2], size[2], share[2];
+    vf sum = map_magnitude(d[2]);
+    for (int k = 0; k < 2; ++k) {
+        sum = vf_add(sum, map_magnitude(d[k]));
+    }
+    const vm is_below = vf_greater(zero, d[2]);
+    for (int k = 0; k < 2; ++k) {
+        at[k] = vf_div(d[k], sum);
+        size[k] = map_magnitude(at[k]);
+    }
+    vi index = vi_set(0);
+    for (int k = 1; k >= 0; --k) {
+        const vf folded = vf_sub(one, size[1 - k]);
+        const vf turned = vf_blend(vf_greater(zero, at[k]), vf_sub(zero, folded), folded);
+        const vf place = vf_mul(vf_add(vf_blend(is_below, turned, at[k]), one), half);
+        const vf inside = vf_min(vf_max(place, zero), vf_set(EDGE - 1.001f));
+        const vi cell = vi_truncate(inside);
+        share[k] = vf_sub(inside, vf_from_int(cell));
+        index = k == 1 ? vi_mul(cell, vi_set(EDGE)) : vi_add(index, cell);
+    }
+    vf row[2];
+    for (int k = 0; k < 2; ++k) {
+        const vf left = vf_gather(light->light + k * EDGE, index);
+        const vf right = vf_gather(light->light + k * EDGE + 1, index);
+        row[k] = vf_add(left, vf_mul(vf_sub(right, left), share[0]));
+    }
+    return vf_add(row[0], vf_mul(vf_sub(row[1], row[0]), share[1]));
+}
+
+/* The rays of points, from off their triangles. */
+typedef struct started_rays {
+    float origin[3][BURNISH_OCCLUDED_MAX], direction[3][BURNISH_OCCLUDED_MAX];
+    float reach[BURNISH_OCCLUDED_MAX], light[BURNISH_OCCLUDED_MAX], hits[BURNISH_OCCLUDED_MAX];
+    burnish_ray_batch batch;
+} started_rays;
+
+static void start_rays(const burnish_ray_light *light, const burnish_ray_points *points,
+                       started_rays *rays, float *const sums[3]) {
+    rays->batch = (burnish_ray_batch){.reach = rays->reach, .count = points->count};
+    for (int k = 0; k < 3; ++k) {
+        rays->batch.origin[k] = rays->origin[k];
+        rays->batch.direction[k] = rays->direction[k];
+    }
+    for (size_t i = 0; i < points->count; i += LANES) {
+        for (int k = 0; k < 3; ++k) {
+            const vf off = vf_mul(vf_load(points->face[k] + i), vf_set(light->offset));
+            const vf p = vf_add(vf_load(points->position[k] + i), vf_set(light->eye[k]));
+            vf_store(rays->origin[k] + i, vf_add(p, off));
+        }
+        for (int s = 0; s < 3; ++s) {
+            vf_store(sums[s] + i, vf_set(0.0f));
+        }
+    }
+}
+
+/* Sets the rays from point i on: toward d, which brings `light`. None goes below its triangle, from
+ * which a smooth normal leans away, or it would hide them from the light along it. */
+BURNISH_INLINE void set_rays(const burnish_ray_points *points, size_t i, const vf d[3], vf light,
+                             vf reach, started_rays *rays) {
+    vf face[3];
+    for (int k = 0; k < 3; ++k) {
+        face[k] = vf_load(points->face[k] + i);
+    }
+    const vf rise = vf_mul(vf_set(2.0f), vf_min(ray_dot(d, face), vf_set(0.0f)));
+    for (int k = 0; k < 3; ++k) {
+        vf_store(rays->direction[k] + i, vf_sub(d[k], vf_mul(rise, face[k])));
+    }
+    vf_store(rays->light + i, light);
+    vf_store(rays->reach + i, vf_and_mask(vf_greater(light, vf_set(0.0f)), reach));
+}
+
+/* Adds how many rays are hidden, or bring light, their light, and what is hidden of it. */
+static void add_rays(const burnish_ray_light *light, started_rays *rays, int is_lamp,
+                     float *const sums[3]) {
+    light->ops->find_hits(light->tree, &rays->batch, rays->hits);
+    for (size_t i = 0; i < rays->batch.count; i += LANES) {
+        const vf all = vf_load(rays->light + i), hit = vf_load(rays->hits + i);
+        const vf lights = vf_and_mask(vf_greater(all, vf_set(0.0f)), vf_set(1.0f));
+        const vf terms[3] = {is_lamp ? lights : hit, all, vf_mul(all, hit)};
+        for (int s = 0; s < 3; ++s) {
+            vf_store(sums[s] + i, vf_add(vf_load(sums[s] + i), terms[s]));
+        }
+    }
+}
+
+static void sample_sky(const burnish_ray_light *light, const burnish_ray_points *points, int first,
+                       int count, float *const sums[3]) {
+    started_rays rays;
+    start_rays(light, points, &rays, sums);
+    for (int sample = first; sample < first + count; ++sample) {
+        const float *const local = light->directions[sample];
+        for (size_t i = 0; i < points->count; i += LANES) {
+            vf n[3], across[2][3], d[3], squared = vf_set(0.0f);
+            for (int k = 0; k < 3; ++k) {
+                n[k] = vf_load(points->normal[k] + i);
+                squared = vf_add(squared, vf_mul(n[k], n[k]));
+            }
+            find_across(n, across[0], across[1]);
+            for (int k = 0; k < 3; ++k) {
+                d[k] = vf_add(vf_add(vf_mul(across[0][k], vf_set(local[0])),
+                                     vf_mul(across[1][k], vf_set(local[1]))),
+                              vf_mul(n[k], vf_set(local[2])));
+            }
+            const vm has_normal = vf_greater(squared, vf_set(0.5f)); /* without: open */
+            set_rays(points, i, d, light_from(light, d), vf_and_mask(has_normal, vf_set(RAY_REACH)),
+                     &rays);
+        }
+        add_rays(light, &rays, 0, sums);
+    }
+}
+
+/* ---- Lamps ---- */
+
+BURNISH_INLINE void cross_vectors(const vf a[3], const vf b[3], vf out[3]) {
+    for (int k = 0; k < 3; ++k) {
+        const int next = (k + 1) % 3, last = (k + 2) % 3;
+        out[k] = vf_sub(vf_mul(a[next], b[last]), vf_mul(a[last], b[next]));
+    }
+}
+
+/* Half sides of what is seen of a lamp in direction `toward`: of a sphere the disc that its tangents
+ * meet in its centre's plane, of a tube the rectangle along its axis. */
+BURNISH_INLINE void find_sides(const burnish_ray_lamp *lamp, const vf toward[3], vf side[2][3]) {
+    const vf radius = vf_set(lamp->radius), least = vf_set(0x1p-40f);
+    for (int k = 0; k < 3; ++k) {
+        side[0][k] = vf_set(lamp->half[0][k]);
+        side[1][k] = vf_set(lamp->half[1][k]);
+    }
+    if (lamp->shape == BURNISH_AREA_SPHERE) {
+        const vf squared = vf_max(ray_dot(toward, toward), least);
+        const vf unit = vector_inverse_sqrt(squared);
+        const vf beyond = vf_max(vf_sub(squared, vf_mul(radius, radius)), least);
+        const vf size = vf_div(vf_mul(radius, vector_inverse_sqrt(beyond)), unit);
+        vf axis[3];
+        for (int k = 0; k < 3; ++k) {
+            axis[k] = vf_mul(toward[k], unit);
+        }
+        find_across(axis, side[0], side[1]);
+        for (int k = 0; k < 3; ++k) {
+            side[0][k] = vf_mul(side[0][k], size);
+            side[1][k] = vf_mul(side[1][k], size);
+        }
+    } else if (lamp->shape == BURNISH_AREA_LINE) {
+        cross_vectors(side[0], toward, side[1]);
+        const vf scale =
+            vf_mul(radius, vector_inverse_sqrt(vf_max(ray_dot(side[1], side[1]), least)));
+        for (int k = 0; k < 3; ++k) {
+            side[1][k] = vf_mul(side[1][k], scale);
+        }
+    }
+}
+
+static void sample_lamp(const burnish_ray_light *light, int number,
+                        const burnish_ray_points *points, int first, int count,
+                        float *const sums[3]) {
+    const burnish_ray_lamp *lamp = &light->lamps[number];
+    const int is_round = lamp->shape == BURNISH_AREA_DISC || lamp->shape == BURNISH_AREA_SPHERE;
+    const vf zero = vf_set(0.0f), tiny = vf_set(0x1p-40f);
+    started_rays rays;
+    start_rays(light, points, &rays, sums);
+    for (int sample = first; sample < first + count; ++sample) {
+        const float *const place = light->places[is_round][sample];
+        for (size_t i = 0; i < points->count; i += LANES) {
+            vf n[3], w[3], d[3], side[2][3], normal[3];
+            for (int k = 0; k < 3; ++k) {
+                n[k] = vf_load(points->normal[k] + i);
+                w[k] = vf_set(lamp->center[k]);
+                if (!lamp->is_distant) {
+                    w[k] = vf_sub(w[k], vf_load(rays.origin[k] + i));
+                }
+            }
+            find_sides(lamp, w, side);
+            cross_vectors(side[0], side[1], normal);
+            for (int k = 0; k < 3; ++k) {
+                w[k] = vf_add(w[k], vf_add(vf_mul(side[0][k], vf_set(place[0])),
+                                           vf_mul(side[1][k], vf_set(place[1]))));
+            }
+            const vf squared = vf_max(ray_dot(w, w), tiny), inverse = vector_inverse_sqrt(squared);
+            for (int k = 0; k < 3; ++k) {
+                d[k] = vf_mul(w[k], inverse);
+            }
+            const vf front = vf_sub(zero, ray_dot(normal, d));
+            const vf facing = lamp->is_two_sided ? map_magnitude(front) : vf_max(front, zero);
+            const vf part =
+                vf_mul(vf_mul(vf_max(ray_dot(n, d), zero), facing), vf_mul(inverse, inverse));
+            const vf reach = lamp->is_distant ? vf_set(RAY_REACH) : vf_mul(squared, inverse);
+            set_rays(points, i, d, vf_mul(part, vf_set(lamp->strength)), reach, &rays);
+        }
+        add_rays(light, &rays, 1, sums);
+    }
+}
+
+#endif
