@@ -17,7 +17,7 @@ static const cli_command lobe_command = {
     .name = "lobe",
     .program = "burnish-lobe",
     .operand = "COMMAND",
-    .summary = "numbers, claims and figures of the lobes: lobe/docs/lobes.md",
+    .summary = "numbers and claims of the lobes: lobe/docs/lobes.md",
     .manual = "Runs *burnish-lobe* with the same arguments: see burnish-lobe(1). If it is not "
               "installed next to *burnish*, the exit code is 12.",
 };
