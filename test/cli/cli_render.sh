@@ -465,7 +465,7 @@ same "--scene" "$both" "$(hash sub/a.obj b.obj --scene --size=60)"
 check "the report lists parts" [ "$(grep -c '"name":.*"[ab]"' "$out")" = 2 ]
 printf '{"burnish_scene": 1, "items": [{"file": "sub/a.obj"}, {"file": "b.obj"}]}' >s.scene.json
 same "a scene file" "$both" "$(hash s.scene.json --size=60)"
-run batch s.scene.json -d made --size=60
+run batch s.scene.json -d made --size=60 --max-memory=8000000000G # which a sanitizer bears
 run render s.scene.json --size=60 -o s.png
 check "a batch" cmp s.png made/s.scene.png
 run compare s.scene.json both.obj --up=+Y --size=60
