@@ -104,7 +104,8 @@ def python_type(row):
 def typescript_type(row):
     literal = " | ".join(word if word.isdigit() else json.dumps(word) for word in words_of(row))
     type_ = f"Words<{literal}>" if row["type"] == "words" else literal or TYPESCRIPT[row["type"]]
-    types = [type_] + ([f"readonly {type_}[]"] if row["repeats"] else [])
+    item = f"({type_})" if " | " in type_ else type_
+    types = [type_] + ([f"readonly {item}[]"] if row["repeats"] else [])
     if row["optional"] and row["value"] == row["off"]:
         types = [json.dumps(row["off"])]
     if row["type"] == "integer" and row["off"]:
