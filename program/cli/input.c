@@ -152,14 +152,15 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
                           "INPUT has no variants; omit the flag"};
     needs[4] = (cli_need){"plate", mesh && burnish_mesh_get_contents(mesh)->plate_count > 0,
                           "INPUT has no plates; omit the flag"};
-    needs[5] =
-        (cli_need){"hide,only,explode", mesh && burnish_mesh_get_contents(mesh)->part_count > 0,
-                   "INPUT has no parts; omit the flag"};
+    needs[5] = (cli_need){"hide,only", mesh && burnish_mesh_get_contents(mesh)->part_count > 0,
+                          "INPUT has no parts; omit the flag"};
     needs[6] = (cli_need){
         "thumbnail",
         info && (info->format == BURNISH_FORMAT_3MF || info->format == BURNISH_FORMAT_GCODE),
         "only 3MF files and G-code hold pictures of themselves; omit the flag"};
-    needs[7] = (cli_need){
+    needs[7] = (cli_need){"explode", mesh && burnish_mesh_get_contents(mesh)->part_count > 1,
+                          "INPUT does not have two parts; omit the flag"};
+    needs[8] = (cli_need){
         "joint",
         info && (info->format == BURNISH_FORMAT_URDF || info->format == BURNISH_FORMAT_SCENE),
         "only robots (URDF) have joints; omit the flag"};

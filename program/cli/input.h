@@ -97,7 +97,7 @@ cli_handler cli_flag_joint;          /* cli_joints */
 cli_handler cli_flag_texture_pixels; /* uint64_t in [low, high], or "auto" */
 
 /* What the flags below need of the input; without a mesh, as if nothing were met. */
-enum { CLI_INPUT_NEEDS = 8 };
+enum { CLI_INPUT_NEEDS = 9 };
 void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEEDS]);
 
 /* The rows; `type` has the cli_input `member`. */
@@ -169,7 +169,8 @@ enum { CLI_PLATE_SHEET = -1 };
     .phases = CLI_PHASE_LOAD, .value_type = CLI_TYPE_NAME, .name = "only", .value = "NAME,...",    \
     .help = "leave out all other parts", .default_label = "all", .repeats = 1,                     \
     .manual = "Draws only the parts of these names, as for *--hide*, with their negative "         \
-              "volumes. It is an error if no part has one of the names. Can be repeated.",         \
+              "volumes. It is an error if none of the parts has one of the names; an input "       \
+              "without parts is drawn whole, with a warning. Can be repeated.",                    \
     .handler = cli_flag_part_names, .offset = offsetof(type, member.only_parts)
 
 #define CLI_EXPLODE_FLAG(type, member)                                                             \

@@ -453,6 +453,8 @@ same "annotations leave no trace in the report" "$(run render block.obj --size=2
 expect 0 'burnish: warning: block.obj: the picture has no room for 3 of the annotations; enlarge the picture or its margin' render block.obj --size=60 --zoom=4 --annotate=dimensions -o s.png
 expect 0 'burnish: warning: block.obj: --annotate: scale: a perspective has no scale, so the picture has no bar; use --camera-orthographic, or omit it' \
     render block.obj --views=front --camera-orthographic=no --annotate=scale -o s.png
+calibrated="block.obj --size=60 --camera-position=9,9,9 --camera-intrinsics=90,90,9,9"
+same "no annotations at calibrated cameras" "$(hash $calibrated)" "$(hash $calibrated --annotate=box 2>/dev/null)"
 expect 2 'burnish: --annotate: "ruler" is not one of axes, box, dimensions, scale, grid, none' render block.obj --annotate=axes,ruler
 
 # Several inputs in one scene: the picture of one file with the same contents.

@@ -7,12 +7,16 @@
 
 #include "render/output/projection.h"
 #include "render/scene/cameras.h"
+#include "render/scene/library_options.h"
 
 static burnish_annotate_options make_annotations(const render_result *result,
                                                  const render_cell *cell, const float *depth) {
     const burnish_render_options *options = result->options;
     burnish_annotate_options annotations = render_make_annotations(result->mesh, result->settings);
     memcpy(annotations.background, options->background, sizeof annotations.background);
+    if (render_is_calibrated(result->settings)) {
+        annotations.kinds = 0; /* its camera is the pinhole in the middle */
+    }
     if (render_is_projection(result->settings)) {
         render_limit_annotations(result, cell, &annotations);
     }
@@ -25,7 +29,7 @@ static burnish_annotate_options make_annotations(const render_result *result,
 burnish_status render_annotate(render_result *result, render_cell *cell, const float *depth,
                                burnish_error *error) {
     const render_settings *settings = result->settings;
-    if (!settings->picture.annotations) {
+    if (!settings->picture.annotations || render_is_calibrated(settings)) {
         return BURNISH_STATUS_OK;
     }
     const burnish_pixels pixels = burnish_image_get_pixels(&cell->image);

@@ -137,11 +137,11 @@ burnish_status burnish_ply_read_packed(burnish_reader *reader, const burnish_ply
                             : 0;
     if (p.splats.count == 0 || p.splats.count > room ||
         (p.splats.count - 1) / PER_CHUNK >= p.chunks.count) {
-        return burnish_reader_fail(
-            reader, BURNISH_STATUS_FORMAT, NULL,
-            "%zu packed splats in %zu chunks of 256 are announced, but the file has room for %zu; "
-            "it is empty, truncated or damaged",
-            p.splats.count, p.chunks.count, room);
+        return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, NULL,
+                                   "%zu packed splats are announced, but the file has room for "
+                                   "%zu, and its %zu chunks for "
+                                   "256 each; it is empty, truncated or damaged",
+                                   p.splats.count, room, p.chunks.count);
     }
     p.chunks.bytes = header->body;
     p.splats.bytes = header->body + p.chunks.count * p.chunks.size;
