@@ -282,6 +282,11 @@ static uint32_t corner_of(const gltf_drawer *drawer, size_t i, unsigned k) {
 static void draw_triangles(gltf_drawer *drawer) {
     burnish_gltf *gltf = drawer->gltf;
     burnish_mesh_data *mesh = drawer->mesh;
+    if (drawer->primitive->material != BURNISH_GLTF_NONE) {
+        const uint32_t value = gltf->lists[BURNISH_GLTF_MATERIALS][drawer->primitive->material];
+        mesh->is_one_sided &= !burnish_json_is_kind(
+            &gltf->json, burnish_json_member(&gltf->json, value, "doubleSided"), BURNISH_JSON_TRUE);
+    }
     for (size_t i = 0; i < drawer->primitive->element_count; ++i) {
         uint32_t *corners = mesh->streams[BURNISH_POSITION].corners + 3 * mesh->triangle_count;
         int is_good = 1;

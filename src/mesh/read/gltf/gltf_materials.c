@@ -352,9 +352,7 @@ void burnish_gltf_read_materials(burnish_gltf *gltf) {
     burnish_gltf_decode_ahead(gltf);
     for (size_t i = 0; i < count && gltf->status == BURNISH_STATUS_OK; ++i) {
         const uint32_t material = gltf->lists[BURNISH_GLTF_MATERIALS][i];
-        const uint32_t sides = burnish_json_member(&gltf->json, material, "doubleSided");
         mesh->materials[i] = read_material(gltf, material);
-        mesh->is_one_sided &= !burnish_json_is_kind(&gltf->json, sides, BURNISH_JSON_TRUE);
     }
     gltf->is_lenient = 0;
     burnish_gltf_drop_ahead(gltf);
