@@ -11,7 +11,10 @@ enum { POINTS = 4 };
 
 #define TETRAHEDRON "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
 #define HIGHER "v 5 0 0\nv 6 0 0\nv 5 2 0\nv 5 0 3\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n"
+#define X61 "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx"
 #define XYZ "property float x\nproperty float y\nproperty float z\n"
+
+static char dense[50000], long_text[750000]; /* filled by test_budget() */
 
 static const struct near_file {
     const char *name, *text;
@@ -20,9 +23,20 @@ static const struct near_file {
     {"sub/red.obj", "mtllib red.mtl\nusemtl red\n" TETRAHEDRON},
     {"sub/red.mtl", "newmtl red\nKd 0.5 0 0\n"},
     {"far.obj", "v 5 0 0\nv 6 0 0\nv 5 2 0\nv 5 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"},
+    {"T.obj", "v 5 0 0\nv 6 0 0\nv 5 2 0\nv 5 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"},
+    {X61 "x\xC3\xA9.obj", TETRAHEDRON},
+    {"dense.obj", dense},
+    {"1.obj", "mtllib long.mtl\nusemtl m\n" TETRAHEDRON},
+    {"2.obj", "mtllib long.mtl\nusemtl m\n" TETRAHEDRON},
+    {"long.mtl", "newmtl m\nmap_Kd long.png\n"},
+    {"long.png", long_text},
+    {"two.obj", "o \xC3\xA9\n" TETRAHEDRON "o b\n" HIGHER},
     {"vn.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 1 1\nf 1//1 2//1 3//1\n"},
     {"points.ply", "ply\nformat ascii 1.0\nelement vertex 2\n" XYZ "end_header\n0 0 0\n1 2 3\n"},
-    {"broken.obj", "v 0 0 0\nv 1 0 0\nf 1 2 x\n"},
+    {"tinted.ply", "ply\nformat ascii 1.0\nelement vertex 3\n" XYZ
+                   "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                   "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                   "0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0 255 0 0\n3 0 1 2\n"},
     {"inner.scene.json", "{\"burnish_scene\":1,\"items\":[{\"file\":\"t.obj\"}]}"},
     {"robot.urdf", "<robot name='r'><link name='l'><visual><geometry><box size='1 1 1'/></geometry>"
                    "</visual></link></robot>"},
@@ -91,6 +105,25 @@ static void test_join(void) {
     CHECK1(joined && burnish_mesh_get_view(joined)->up_axis[1] == 1); /* of OBJ */
 }
 
+/* Long names end with a whole character of UTF-8, and all with zeros. */
+static void check_name(const burnish_mesh *mesh, size_t number, const char *name) {
+    const burnish_contents *contents = burnish_mesh_get_contents(mesh);
+    char padded[BURNISH_NAME_SIZE] = "";
+    strcpy(padded, name);
+    CHECK(contents && contents->part_count > number &&
+              memcmp(contents->parts[number].name, padded, sizeof padded) == 0,
+          "%s", name);
+}
+
+static void test_names(void) {
+    OWNED_MESH *mesh = load_scene(SCENE("{\"file\": \"t.obj\", \"name\": \"" X61 "y\xC3\xA9\"},"
+                                        "{\"file\": \"" X61 "x\xC3\xA9.obj\"},"
+                                        "{\"file\": \"two.obj\", \"name\": \"" X61 "\"}"));
+    check_name(mesh, 0, X61 "y");
+    check_name(mesh, 1, X61 "x");
+    check_name(mesh, 2, X61 "/");
+}
+
 static void test_places(void) {
     static const double turned[POINTS][3] = {{1, 2, 3},
                                              {1.98480775, 3.17364818, 1.71442478},
@@ -112,6 +145,9 @@ static void test_places(void) {
         {1e6, 0, 0}, {1000001, 0, 0}, {1e6, 2, 0}, {1e6, 0, 3}};
     check_points("far away", away, POINTS, far_away);
     CHECK1(away && burnish_mesh_get_view(away)->origin[0] != 0);
+    OWNED_MESH *cases = load_scene(SCENE("{\"file\": \"t.obj\"}, {\"file\": \"T.obj\"}"));
+    static const double both[POINTS][3] = {{0, 0, 0}, {1, 0, 0}, {5, 2, 0}, {5, 0, 3}};
+    check_points("names that differ in case", cases, POINTS, both);
 }
 
 /* A normal (1, 1, 1) of a plane stretched by 1, 2, 4 is along (4, 2, 1). */
@@ -142,16 +178,44 @@ static void test_colors(void) {
            fabs((double)green->transparency - 127 / 255.0) < 1e-6);
     CHECK1(mesh && burnish_mesh_get_view(mesh)->up_axis[0] == -1);
     CHECK_TEXT(mesh ? burnish_mesh_get_info(mesh)->unit : "", "inch");
+    /* red is left out of the first item, which is white then, but not of the second */
+    OWNED_MESH *tinted = load_scene(SCENE("{\"file\": \"tinted.ply\", \"color\": \"#ff0000\"},"
+                                          "{\"file\": \"tinted.ply\", \"translate\": [0, 0, 9]}"));
+    const burnish_mesh_view *view = burnish_mesh_get_view(tinted);
+    CHECK1(view && view->colors && view->vertex_count == 6);
+    for (size_t i = 0; view && view->colors && i < view->vertex_count; ++i) {
+        CHECK1(view->colors[4 * i + 1] == (view->positions[3 * i + 2] == 0 ? 255 : 0));
+    }
 }
 
 static void test_clouds(void) {
     OWNED_MESH *both = load_scene(SCENE("{\"file\": \"points.ply\"},"
                                         "{\"file\": \"points.ply\", \"translate\": [0, 0, 9]}"));
+    static const double points[POINTS][3] = {{0, 0, 0}, {1, 2, 3}, {0, 0, 9}, {1, 2, 12}};
     CHECK1(both && burnish_mesh_get_info(both)->point_count == 4);
+    check_points("clouds", both, POINTS, points);
     OWNED_MESH *mixed = load_scene(SCENE("{\"file\": \"points.ply\"}, {\"file\": \"t.obj\"}"));
     CHECK1(mixed && burnish_mesh_get_view(mixed)->triangle_count == 4);
     CHECK_TEXT(mixed ? burnish_mesh_get_warning(mixed, 0) : "",
                "a: point clouds beside meshes are left out: 1; draw them alone");
+}
+
+/* 5.8 million triangles are too many for 0.8 MB of files, of which two share 0.75 MB. */
+static void test_budget(void) {
+    enum { FACES = 5800, ITEMS = 1000 };
+    static char text[40 * ITEMS];
+    char *face = dense + sprintf(dense, "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    char *to = text + sprintf(text, "{\"burnish_scene\": 1, \"items\": [{\"file\": \"1.obj\"}");
+    memset(long_text, '#', sizeof long_text - 1);
+    for (int i = 0; i < FACES; ++i) {
+        face += sprintf(face, "f 1 2 3\n");
+        to += i >= ITEMS ? 0 : sprintf(to, ",{\"file\": \"%s.obj\"}", i > 0 ? "dense" : "2");
+    }
+    strcpy(to, "]}");
+    const burnish_load_options options = near_options();
+    check_refused(text, strlen(text), "a", &options, BURNISH_STATUS_LIMIT,
+                  "a: its 818672 bytes become more than 5242880 vertices and triangles; set "
+                  "max-triangles to draw them");
 }
 
 static void test_json_errors(void) {
@@ -260,7 +324,27 @@ static void test_chain(void) {
     const burnish_material *material = burnish_mesh_get_material(mesh, 0);
     CHECK1(material && material->diffuse[1] == 1 && material->diffuse[0] == 0);
     CHECK1(mesh && burnish_mesh_get_view(mesh)->up_axis[2] == 1);
-    CHECK_TEXT(mesh ? burnish_mesh_get_contents(mesh)->parts[0].name : "", "c");
+    check_name(mesh, 0, "c");
+    OWNED_MESH *named = load_robot(ROBOT(LINK(X61 "x\xC3\xA9", "")), NULL, 0);
+    check_name(named, 0, X61 "x");
+}
+
+/* Each joint follows the next one; walking from each to the last one would take minutes. */
+static void test_followers(void) {
+    enum { COUNT = 4094, ROOM = 200 };
+    static char text[COUNT * ROOM];
+    char *to = text + sprintf(text, "<robot name='r'><link name='r'/>" LINK("0", ""));
+    for (int i = 0; i < COUNT; ++i) {
+        to += sprintf(to,
+                      "<link name='%d'/><joint name='j%d' type='prismatic'><parent link='r'/>"
+                      "<child link='%d'/><mimic joint='j%d' offset='.000244140625'/></joint>",
+                      i + 1, i, i, i + 1);
+    }
+    strcpy(to, "</robot>");
+    const double x = COUNT / 4096.,
+                 moved[POINTS][3] = {{x, 0, 0}, {1 + x, 0, 0}, {x, 2, 0}, {x, 0, 3}};
+    OWNED_MESH *mesh = load_robot(text, NULL, 0);
+    check_points("followers", mesh, POINTS, moved);
 }
 
 /* Volumes of shapes: a cylinder of 48 sides has 24 sin(2 pi / 48) r^2 h. */
@@ -330,17 +414,19 @@ static void test_robot_errors(void) {
               "%s", cases[i].text);
         CHECK_TEXT(error.text, cases[i].message);
     }
-    OWNED_MESH *mesh =
-        load_robot(ROBOT(LINK("a", "") "<link name='b'><visual><geometry><mesh filename='no.stl'/>"
-                                       "</geometry></visual><visual><geometry><mesh "
-                                       "filename='robot.urdf'/></geometry></visual></link>"),
-                   NULL, 0);
+    OWNED_MESH *mesh = load_robot(
+        ROBOT(LINK("a", "") "<link name='b'><visual><geometry><mesh filename='no.stl'/>"
+                            "</geometry></visual><visual><geometry><mesh "
+                            "filename='robot.urdf'/></geometry></visual><visual><geometry><mesh "
+                            "filename='robot.urdf'/></geometry></visual></link>"),
+        NULL, 0);
     CHECK1(mesh && burnish_mesh_get_warning_count(mesh) == 2);
+    CHECK(loads == 2, "%d loads", loads); /* a file that fails is not read again */
     CHECK_TEXT(mesh ? burnish_mesh_get_warning(mesh, 0) : "",
                "a: line 1: a mesh is left out: no.stl: is not there");
     CHECK_TEXT(mesh ? burnish_mesh_get_warning(mesh, 1) : "",
                "a: line 1: a mesh is left out: robot.urdf: a robot in a robot; list its files "
-               "instead");
+               "instead (and 1 more like it)");
 }
 
 /* ---- Memory ---- */
@@ -363,14 +449,17 @@ static void test_memory(void) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_join());
+    RUN(test_names());
     RUN(test_places());
     RUN(test_normals());
     RUN(test_colors());
     RUN(test_clouds());
+    RUN(test_budget());
     RUN(test_json_errors());
     if (BURNISH_HAS_3MF) {
         RUN(test_axes());
         RUN(test_chain());
+        RUN(test_followers());
         RUN(test_shapes());
         RUN(test_robot_errors());
         RUN(test_memory());

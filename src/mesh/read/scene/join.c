@@ -7,6 +7,7 @@
 #include "core/srgb.h"
 #include "mesh/data/material.h"
 #include "mesh/read/common/local_origin.h"
+#include "mesh/read/common/parts.h"
 #include "mesh/read/io/budget.h"
 #include "mesh/read/scene/scene.h"
 
@@ -144,20 +145,24 @@ typedef struct joining {
     size_t triangle;
 } joining;
 
+static int is_dropped(const burnish_scene_item *item, int attribute) {
+    return item->has_color && attribute == BURNISH_COLOR;
+}
+
+static size_t values_of(const burnish_scene_item *item, int attribute) {
+    return is_dropped(item, attribute) ? 0 : item->source->mesh.streams[attribute].count;
+}
+
 /* Whether corners of the whole need numbers of their own for an attribute: some item has its own,
- * or lacks values. */
+ * or other values than one per position. */
 static int needs_corners(const joining *j, burnish_attribute attribute) {
     int any = attribute == BURNISH_POSITION;
     for (size_t i = 0; i < j->scene->item_count && !any; ++i) {
-        const burnish_mesh_data *mesh = &j->scene->items[i].source->mesh;
-        any = mesh->triangle_count > 0 &&
-              (mesh->streams[attribute].corners || mesh->streams[attribute].count == 0);
+        const burnish_scene_item *item = &j->scene->items[i];
+        any = item->source->mesh.streams[attribute].corners ||
+              values_of(item, attribute) != values_of(item, BURNISH_POSITION);
     }
     return any;
-}
-
-static int is_dropped(const burnish_scene_item *item, int attribute) {
-    return item->has_color && attribute == BURNISH_COLOR;
 }
 
 /* Room for everything. */
@@ -167,11 +172,10 @@ static burnish_status reserve_streams(joining *j) {
     const uint64_t limit = scene->reader->input->options->max_triangles;
     burnish_memory *memory = &j->mesh->memory;
     for (size_t i = 0; i < scene->item_count; ++i) {
-        const burnish_mesh_data *mesh = &scene->items[i].source->mesh;
         for (int a = 0; a < BURNISH_ATTRIBUTE_COUNT; ++a) {
-            counts[a] += is_dropped(&scene->items[i], a) ? 0 : mesh->streams[a].count;
+            counts[a] += values_of(&scene->items[i], a);
         }
-        triangles += mesh->triangle_count;
+        triangles += scene->items[i].source->mesh.triangle_count;
     }
     if (triangles > limit) {
         return burnish_fail_triangles(scene->reader, NULL);
@@ -210,7 +214,7 @@ static void write_triangles(joining *j, const burnish_scene_item *item, size_t f
     const int is_mirrored = find_cofactors(item->transform, unused);
     for (int a = 0; a < BURNISH_ATTRIBUTE_COUNT; ++a) {
         uint32_t *to = j->mesh->streams[a].corners;
-        const int has_values = mesh->streams[a].count > 0 && !is_dropped(item, a);
+        const int has_values = values_of(item, a) > 0;
         const uint32_t *own = burnish_stream_corners(mesh, (burnish_attribute)a);
         for (size_t i = 0; to && i < 3 * (end - from); ++i) {
             const size_t k = is_mirrored && i % 3 > 0 ? i / 3 * 3 + 3 - i % 3 : i;
@@ -239,7 +243,7 @@ static void write_all_triangles(joining *j, int are_lines) {
         const size_t faces = mesh->triangle_count - lines_of(mesh);
         write_triangles(j, item, are_lines ? faces : 0, are_lines ? mesh->triangle_count : faces);
         for (int a = 0; a < BURNISH_ATTRIBUTE_COUNT; ++a) {
-            j->first[a] += is_dropped(item, a) ? 0 : mesh->streams[a].count;
+            j->first[a] += values_of(item, a);
         }
     }
 }
@@ -249,10 +253,9 @@ static void write_items(const joining *j) {
         uint8_t *to = j->mesh->streams[a].items;
         for (size_t i = 0; i < j->scene->item_count; ++i) {
             const burnish_scene_item *item = &j->scene->items[i];
-            const burnish_mesh_data *mesh = &item->source->mesh;
-            if (mesh->streams[a].count > 0 && !is_dropped(item, a)) {
-                move_items(mesh, (burnish_attribute)a, item->transform, to);
-                to += mesh->streams[a].count * burnish_attribute_size((burnish_attribute)a);
+            if (values_of(item, a) > 0) {
+                move_items(&item->source->mesh, (burnish_attribute)a, item->transform, to);
+                to += values_of(item, a) * burnish_attribute_size((burnish_attribute)a);
             }
         }
     }
@@ -391,8 +394,7 @@ static void name_part(const burnish_scene_item *item, burnish_part *part) {
     char both[2 * BURNISH_NAME_SIZE];
     snprintf(both, sizeof both, "%s%s%s", item->name, *item->name && *part->name ? "/" : "",
              part->name);
-    memcpy(part->name, both, sizeof part->name - 1);
-    part->name[sizeof part->name - 1] = 0;
+    burnish_part_set_name(part->name, both, strlen(both));
 }
 
 /* An item without parts is one. `first` is the number of the first of its file's items. */
@@ -491,21 +493,22 @@ static void join_clouds(const burnish_scene *scene, burnish_mesh_data *to) {
 
 /* Leaves out clouds beside faces. Returns whether all items are clouds. */
 static int settle_clouds(burnish_scene *scene) {
-    size_t kept = 0, clouds = 0;
-    for (size_t i = 0; i < scene->item_count; ++i) {
-        const burnish_scene_item item = scene->items[i];
-        const int is_cloud = item.source->mesh.point_count > 0;
-        clouds += (size_t)is_cloud;
-        scene->items[kept] = item;
-        kept += (size_t)!is_cloud;
+    const size_t count = scene->item_count;
+    size_t clouds = 0;
+    for (size_t i = 0; i < count; ++i) {
+        clouds += scene->items[i].source->mesh.point_count > 0;
     }
-    if (clouds > 0 && kept > 0) {
+    if (clouds > 0 && clouds < count) {
         burnish_reader_warn(scene->reader, NULL,
                             "point clouds beside meshes are left out: %zu; draw them alone",
                             clouds);
-        scene->item_count = kept;
+        scene->item_count = 0;
+        for (size_t i = 0; i < count; ++i) {
+            scene->items[scene->item_count] = scene->items[i];
+            scene->item_count += scene->items[i].source->mesh.point_count == 0;
+        }
     }
-    return kept == 0;
+    return clouds == count;
 }
 
 static void add_facts(const burnish_scene *scene, burnish_mesh_data *to) {

@@ -11,10 +11,12 @@
 /* What a scene consists of: a file, or a mesh that its reader makes. */
 typedef struct burnish_scene_source {
     burnish_mesh_data mesh;
-    uint64_t key;          /* burnish_companion_key() of a file's path */
-    burnish_format format; /* of a file; AUTO: made */
-    int is_turned;         /* 1: a file with +Z up that an importer turned to +Y */
-    int has_materials;     /* 1: those of the scene from first_material on are its own */
+    char *shown;           /* a file's name for messages; NULL: made */
+    const char *path;      /* its end, which identifies the file */
+    burnish_status status; /* of reading a file, with its message */
+    burnish_error why;
+    int is_turned;     /* 1: a file with +Z up that an importer turned to +Y */
+    int has_materials; /* 1: those of the scene from first_material on are its own */
     uint32_t first_material;
 } burnish_scene_source;
 
@@ -43,7 +45,8 @@ typedef struct burnish_scene {
 /* An empty mesh as a source; NULL if memory is out. */
 burnish_scene_source *burnish_scene_make(burnish_scene *scene);
 
-/* Loads a file once. It may be of every format but a scene, and only a scene may have a robot.
+/* Loads a file once, even if that fails. It may be of every format but a scene, and only a scene
+ * may have a robot.
  *   name    as the input spells it
  *   source  receives it
  * Errors: as burnish_read, and READ. */

@@ -17,8 +17,9 @@ enum { WARNINGS_MOST = 64, HEAD = 1 << 16 };
 /* A file while it is read. */
 typedef struct scene_file {
     burnish_scene *scene;
-    const char *path; /* as the loader takes it */
-    char *shown;      /* its name for messages, allocated */
+    const char *given; /* as the loader takes it */
+    const char *path;  /* the same without parts that are empty or "." */
+    char *shown;       /* its name for messages, allocated */
     char folder[BURNISH_COMPANION_SIZE];
     const void *bytes; /* the loader's */
     size_t size;
@@ -61,6 +62,7 @@ void burnish_scene_close(burnish_scene *scene) {
     const burnish_context *context = scene->reader->mesh->memory.context;
     for (size_t i = 0; i < scene->source_count; ++i) {
         burnish_mesh_data_destroy(&scene->sources[i]->mesh);
+        burnish_release(context, scene->sources[i]->shown);
         burnish_release(context, scene->sources[i]);
     }
     burnish_release(context, scene->sources);
@@ -117,17 +119,36 @@ static burnish_load_options options_of(const burnish_scene *scene) {
     return options;
 }
 
+/* Loads what a file names, for the outer reader, which counts it once for all files. */
+static burnish_status load_companion(void *user_data, const char *name, uint64_t max_bytes,
+                                     const void **bytes, size_t *size, burnish_error *error) {
+    burnish_reader *outer = user_data;
+    const burnish_file_loader *from = &outer->input->companions;
+    const burnish_status status = from->load(from->user_data, name, max_bytes, bytes, size, error);
+    if (status == BURNISH_STATUS_OK) { /* failing memory fails the scene later */
+        burnish_budget_companion(outer, burnish_companion_key(name), *size);
+    }
+    return status;
+}
+
+static void release_companion(void *user_data, const void *bytes, size_t size) {
+    const burnish_file_loader *from = &((burnish_reader *)user_data)->input->companions;
+    if (from->release) {
+        from->release(from->user_data, bytes, size);
+    }
+}
+
 /* Reads bytes as a format, or as what they are. */
 static burnish_status read_bytes(scene_file *file, const uint8_t *bytes, size_t size,
                                  burnish_format format) {
-    const burnish_reader *outer = file->scene->reader;
+    burnish_reader *outer = file->scene->reader;
     burnish_mesh_data *mesh = &file->source->mesh;
     burnish_load_options options = options_of(file->scene);
     burnish_reader_input input = {.bytes = bytes,
                                   .size = size,
                                   .name = file->shown,
                                   .options = &options,
-                                  .companions = outer->input->companions,
+                                  .companions = {load_companion, release_companion, outer},
                                   .folder = file->folder,
                                   .is_archived = outer->input->is_archived};
     burnish_reader reader = {.input = &input, .mesh = mesh, .error = file->error};
@@ -148,8 +169,6 @@ static burnish_status read_bytes(scene_file *file, const uint8_t *bytes, size_t 
     }
     burnish_archive_close(&archive);
     burnish_release(mesh->memory.context, unpacked);
-    file->source->format = format;
-    file->scene->reader->companion_bytes += reader.companion_bytes;
     if (mesh->up_axis[0] == 0 && mesh->up_axis[1] == 0 && mesh->up_axis[2] == 0) {
         memcpy(mesh->up_axis, burnish_format_get_info(format)->up_axis, sizeof mesh->up_axis);
     }
@@ -232,16 +251,20 @@ static burnish_status name_file(scene_file *file) {
 static burnish_status load_file(scene_file *file) {
     burnish_reader *reader = file->scene->reader;
     const burnish_file_loader *companions = &reader->input->companions;
-    const uint64_t key = burnish_companion_key(file->path);
+    const uint64_t key = burnish_companion_key(file->given);
     char extension[EXTENSION];
-    burnish_status status =
-        companions->load(companions->user_data, file->path, reader->input->options->max_input_bytes,
-                         &file->bytes, &file->size, file->error);
+    burnish_status status = companions->load(companions->user_data, file->given,
+                                             reader->input->options->max_input_bytes, &file->bytes,
+                                             &file->size, file->error);
     if (status != BURNISH_STATUS_OK) {
         burnish_companion_missing(reader->input, file->error);
         return status;
     }
     file->source = name_file(file) == BURNISH_STATUS_OK ? burnish_scene_make(file->scene) : NULL;
+    if (file->source) {
+        file->source->shown = file->shown;
+        file->source->path = file->shown + strlen(file->shown) - strlen(file->path);
+    }
     if (!file->source || !burnish_budget_companion(reader, key, file->size)) {
         status = reader->mesh->memory.status != BURNISH_STATUS_OK
                      ? reader->mesh->memory.status
@@ -253,7 +276,6 @@ static burnish_status load_file(scene_file *file) {
                      : read_bytes(file, file->bytes, file->size, BURNISH_FORMAT_AUTO);
         take_warnings(reader->mesh, &file->source->mesh);
         if (status == BURNISH_STATUS_OK) {
-            file->source->key = key;
             status = burnish_scene_count(file->scene, &file->source->mesh);
         }
     }
@@ -266,28 +288,36 @@ static burnish_status load_file(scene_file *file) {
 burnish_status burnish_scene_load(burnish_scene *scene, const char *name,
                                   burnish_scene_source **source, burnish_error *error) {
     burnish_reader *reader = scene->reader;
-    char path[BURNISH_COMPANION_SIZE];
+    char given[BURNISH_COMPANION_SIZE], path[BURNISH_COMPANION_SIZE];
+    const burnish_reader_input here = {.folder = "."};
     *source = NULL;
     if (!reader->input->companions.load) {
         return burnish_fail(error, BURNISH_STATUS_READ,
                             "the files that it names are not available here");
     }
-    if (!burnish_companion_path(reader->input, name, path)) {
+    if (!burnish_companion_path(reader->input, name, given)) {
         return burnish_companion_outside(reader->input, name, error);
     }
-    const uint64_t key = burnish_companion_key(path);
+    if (!burnish_companion_path(&here, given, path)) {
+        strcpy(path, given);
+    }
     for (size_t i = 0; i < scene->source_count; ++i) {
-        if (scene->sources[i]->key == key && scene->sources[i]->format != BURNISH_FORMAT_AUTO) {
-            *source = scene->sources[i];
-            return BURNISH_STATUS_OK;
+        burnish_scene_source *known = scene->sources[i];
+        if (known->path && strcmp(known->path, path) == 0) {
+            *source = known->status == BURNISH_STATUS_OK ? known : NULL;
+            *error = known->why;
+            return known->status;
         }
     }
-    scene_file file = {.scene = scene, .path = path, .error = error};
+    scene_file file = {.scene = scene, .given = given, .path = path, .error = error};
     const burnish_status status = load_file(&file);
-    if (status != BURNISH_STATUS_OK && file.source) { /* nothing of it is used */
+    if (!file.source) {
+        burnish_release(reader->mesh->memory.context, file.shown);
+    } else if (status != BURNISH_STATUS_OK) { /* nothing of it is used */
         burnish_mesh_data_destroy(&file.source->mesh);
+        file.source->status = status;
+        file.source->why = *error;
     }
-    burnish_release(reader->mesh->memory.context, file.shown);
     *source = status == BURNISH_STATUS_OK ? file.source : NULL;
     return status;
 }

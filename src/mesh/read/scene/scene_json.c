@@ -4,6 +4,7 @@
 
 #include "base/elementary.h"
 #include "base/numbers.h"
+#include "mesh/read/common/parts.h"
 #include "mesh/read/io/json.h"
 #include "mesh/read/scene/scene.h"
 
@@ -175,7 +176,7 @@ static int read_transform(scene_json *s, uint32_t object, double transform[12]) 
 static void name_item(const char *file, char name[BURNISH_NAME_SIZE]) {
     const char *slash = strrchr(file, '/'), *base = slash ? slash + 1 : file;
     const char *dot = strrchr(base, '.');
-    snprintf(name, BURNISH_NAME_SIZE, "%.*s", dot && dot > base ? (int)(dot - base) : 63, base);
+    burnish_part_set_name(name, base, dot && dot > base ? (size_t)(dot - base) : strlen(base));
 }
 
 static int read_item(scene_json *s, uint32_t object) {
@@ -206,7 +207,7 @@ static int read_item(scene_json *s, uint32_t object) {
         s->status = s->scene.reader->mesh->memory.status;
         return scene_fail(s, BURNISH_STATUS_LIMIT, object, "more than 65535 items");
     }
-    snprintf(item->name, sizeof item->name, "%.63s", name);
+    burnish_part_set_name(item->name, name, strlen(name));
     if (!*name) {
         name_item(file, item->name);
     }

@@ -8,6 +8,7 @@
 #include "base/elementary.h"
 #include "base/numbers.h"
 #include "base/show_text.h"
+#include "mesh/read/common/parts.h"
 
 enum { LOOKED_AT = 4096, FOLDERS_MOST = 16, LISTED = 240 };
 
@@ -80,6 +81,26 @@ static int fail_joint(burnish_urdf *urdf, const char *name) {
         moving > 0 ? "the joints are " : "the robot has none", list, listed < moving ? " ..." : "");
 }
 
+/* Sets the value of a joint after those that it follows. */
+static int follow(burnish_urdf *urdf, burnish_urdf_joint *joint) {
+    burnish_urdf_joint *chain[BURNISH_URDF_MOST];
+    size_t count = 0;
+    for (burnish_urdf_joint *at = joint; at && !at->has_value; at = at->followed) {
+        if (count == urdf->joint_count) {
+            return burnish_urdf_fail(urdf, BURNISH_STATUS_FORMAT, joint->line,
+                                     "joints that mimic each other; repair the file");
+        }
+        chain[count++] = at;
+    }
+    while (count > 0) {
+        burnish_urdf_joint *next = chain[--count];
+        next->value = *next->mimic ? next->offset : 0;
+        next->value += next->followed ? next->multiplier * next->followed->value : 0;
+        next->has_value = 1;
+    }
+    return 1;
+}
+
 /* Sets the values of the options, and of joints that follow another. */
 static int set_values(burnish_urdf *urdf) {
     const burnish_load_options *options = urdf->scene.reader->input->options;
@@ -92,22 +113,14 @@ static int set_values(burnish_urdf *urdf) {
         joint->has_value = 1;
     }
     for (size_t i = 0; i < urdf->joint_count; ++i) {
-        burnish_urdf_joint *joint = &urdf->joints[i], *followed = joint;
-        double factor = 1, offset = 0;
-        for (size_t steps = 0; followed && *followed->mimic && !followed->has_value; ++steps) {
-            offset += factor * followed->offset;
-            factor *= followed->multiplier;
-            if (steps == urdf->joint_count) {
-                return burnish_urdf_fail(urdf, BURNISH_STATUS_FORMAT, joint->line,
-                                         "joints that mimic each other; repair the file");
-            }
-            followed = find_joint(urdf, followed->mimic);
-        }
-        if (*joint->mimic && !joint->has_value) {
-            joint->value = offset + (followed ? factor * followed->value : 0);
-        }
+        burnish_urdf_joint *joint = &urdf->joints[i];
+        joint->followed = *joint->mimic ? find_joint(urdf, joint->mimic) : NULL;
     }
-    return 1;
+    int is_fine = 1;
+    for (size_t i = 0; i < urdf->joint_count && is_fine; ++i) {
+        is_fine = follow(urdf, &urdf->joints[i]);
+    }
+    return is_fine;
 }
 
 /* A joint's motion: a turn about its axis, or a move along it. */
@@ -282,7 +295,7 @@ static int add_visual(burnish_urdf *urdf, const burnish_urdf_visual *visual,
         urdf->status = urdf->scene.reader->mesh->memory.status;
         return 0;
     }
-    snprintf(item->name, sizeof item->name, "%.63s", link->name);
+    burnish_part_set_name(item->name, link->name, strlen(link->name));
     burnish_scene_multiply(link->transform, visual->origin, item->transform);
     for (int i = 0; i < 12 && visual->shape == BURNISH_URDF_MESH; ++i) {
         item->transform[i] *= i % 4 < 3 ? visual->size[i % 4] : 1;

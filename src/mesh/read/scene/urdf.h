@@ -57,7 +57,8 @@ typedef struct burnish_urdf_joint {
     uint32_t line;
     burnish_urdf_kind kind;
     double origin[12], axis[3], value;
-    int has_value; /* 1: the options state it */
+    int has_value;                       /* 1: it is final */
+    struct burnish_urdf_joint *followed; /* by its mimic; NULL: none */
     int parent_link;
 } burnish_urdf_joint;
 
