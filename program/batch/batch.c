@@ -149,7 +149,7 @@ static const cli_term report_terms[] = {
     {"*burnish, options*", "in the first line: the version, and the flags that affect pictures"},
     {"*options_hash*", "in the first line, if such flags name files: XXH64 of their bytes"},
     {"*passed_over*", "in the first line, if not 0: number of files in folders with a mesh "
-                      "extension and other content"},
+                      "extension and other content, and of archives without exactly one model"},
     {"*id*", "hash of the names of input and output, 16 hexadecimal digits"},
     {"*input, output*", "names; bytes that are not UTF-8 are ?"},
     {"*input_bytes, output_bytes*",

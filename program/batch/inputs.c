@@ -12,6 +12,7 @@
 
 #include <dirent.h>
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -47,8 +48,44 @@ static burnish_status add_item(batch_items *list, const char *input, size_t tree
 typedef enum file_kind {
     FILE_OTHER,
     FILE_MESH, /* the extension of a reader or of an installed importer, with or without .gz, or .zip */
-    FILE_PASSED_OVER /* a mesh extension, but other content */
+    FILE_PASSED_OVER /* such an extension, but other content */
 } file_kind;
+
+/* Whether the directory at an archive's end lists one model, whose files differ in the extension.
+ * The reader judges again. */
+static int holds_one_model(const char *path) {
+    static uint8_t end[1 << 20]; /* about 10000 files */
+    char name[256], last[sizeof name] = "";
+    FILE *file = fopen(path, "rb");
+    if (file && fseek(file, -(long)sizeof end, SEEK_END) != 0) {
+        rewind(file);
+    }
+    const size_t size = file ? fread(end, 1, sizeof end, file) : 0;
+    int models = 0;
+    for (size_t i = 0; i + 46 < size; ++i) {
+        const size_t length = end[i + 28] + 256U * end[i + 29];
+        if (memcmp(end + i, "PK\1\2", 4) != 0 || length > size - i - 46) {
+            continue;
+        }
+        snprintf(name, sizeof name, "%.*s", (int)length, (const char *)end + i + 46);
+        const char *base = cli_base_name(name);
+        if (strcmp(name, "_rels/.rels") == 0) { /* 3MF */
+            models = 1;
+            break;
+        }
+        if (*base != '.' && strncmp(name, "__MACOSX/", 9) != 0 && cli_is_own_mesh_name(base)) {
+            const size_t stem = cli_stem_length(base);
+            models += stem != cli_stem_length(last) ||
+                      !burnish_are_same_letters(base, last, stem) ||
+                      burnish_is_same_name(base, last); /* in another folder */
+            snprintf(last, sizeof last, "%s", base);
+        }
+    }
+    if (file) {
+        fclose(file);
+    }
+    return models == 1;
+}
 
 static file_kind kind_of(const char *name, const char *path) {
     const import_program *importer = import_find(name);
@@ -57,7 +94,10 @@ static file_kind kind_of(const char *name, const char *path) {
     }
     const size_t size = strlen(name);
     const int is_archive = size > 4 && burnish_is_same_name(name + size - 4, ".zip");
-    return is_archive || cli_is_own_mesh_name(name) ? FILE_MESH : FILE_OTHER;
+    if (is_archive) {
+        return holds_one_model(path) ? FILE_MESH : FILE_PASSED_OVER;
+    }
+    return cli_is_own_mesh_name(name) ? FILE_MESH : FILE_OTHER;
 }
 
 static int is_shown(const struct dirent *entry) {

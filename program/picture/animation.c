@@ -36,7 +36,8 @@ int picture_time(const picture_animation *animation, int frame, int units_per_se
 static burnish_status check_memory(const picture_animation *animation, burnish_error *error) {
     return animation->out.failed
                ? cli_fail(error, BURNISH_STATUS_MEMORY,
-                          "out of memory: the animation; free memory, or draw smaller frames")
+                          "out of memory: the animation; free memory, raise --max-memory, or draw "
+                          "smaller frames")
                : BURNISH_STATUS_OK;
 }
 

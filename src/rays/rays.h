@@ -36,7 +36,7 @@ typedef struct burnish_ray_mesh {
 } burnish_ray_mesh;
 
 /* Builds the tree unless it is there. Triangles of the same three corners are one. Errors: MEMORY,
- * CANCELLED, LIMIT; the tree is then nobody's. */
+ * CANCELLED, after which the tree is nobody's; LIMIT, after which it is kept but not used. */
 burnish_status burnish_ray_tree_update(burnish_ray_tree *tree, const burnish_ray_mesh *mesh,
                                        burnish_tasks *tasks, burnish_memory *memory);
 void burnish_ray_tree_destroy(burnish_ray_tree *tree, const burnish_context *context);

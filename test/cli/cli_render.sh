@@ -268,6 +268,9 @@ for flags in '--look=drawing' '--color=white --background-color=white' '--enviro
     # shellcheck disable=SC2086
     expect 0 '' render :teapot --size=64 $flags -o t.png
 done
+# All columns are looked at: these posts are between each tenth.
+printf 'v -218 -200 0\nv -212 -200 0\nv -212 200 0\nv -218 200 0\nv 212 -200 0\nv 218 -200 0\nv 218 200 0\nv 212 200 0\nf 1 2 3 4\nf 5 6 7 8\n' >posts.obj
+expect 0 '' render posts.obj --size=640x480 --color=red --camera-direction=0,0,-1 --camera-orthographic --camera-orthographic-height=480 -o t.png
 same "legible" "$(gives 0 render :sphere --json -o t.png; json legible) $(run render :sphere --zoom=0.01 --json -o t.png; json legible)" 'true false'
 
 # The report in a file, the picture on standard output.

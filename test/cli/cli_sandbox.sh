@@ -172,8 +172,12 @@ run batch kit.zip:lib/b.obj -d made --size=16
 check "a batch of an archive: $(cat "$err")" [ -s made/b.png ]
 mkdir kits named
 (cd root/lib && python3 -c "import shutil; shutil.make_archive('../../kits/one', 'zip', '.')")
-run batch kits -d made --size=16
-check "an archive in a folder: $(cat "$err")" [ -s made/one.png ]
+cp kit.zip kits/several.zip
+(cd named && python3 -c "import shutil; shutil.make_archive('../kits/none', 'zip', '.')")
+gives 0 batch kits -d made --size=16
+check "an archive in a folder: $(ls made)" [ -s made/one.png ]
+check "archives of no or several models are passed over" sh -c "head -n 1 made/burnish-batch.jsonl | grep -q '\"passed_over\":2}\$'"
+gives 11 batch kits/several.zip -d made --size=16
 (cd named && "$burnish" render ../kit.zip:a.obj --size=16 2>"$err")
 check "the name of a model in an archive: $(ls named)" [ -s named/a.png ]
 rm -rf kits named

@@ -158,6 +158,11 @@ for flag in --threads=1 --sandbox; do
     "$burnish" render $play --turntable=- --animation=go $flag >other.y4m
     check "played with $flag" cmp played.y4m other.y4m
 done
+# A sandboxed process keeps all 56 MiB of frames.
+for run in '0 --no-sandbox' '6 --sandbox'; do
+    draws "${run#* }" --max-memory=70M || continue # not with the sanitizers
+    gives "${run% *}" render $play --size=256 --frames=600 --samples=1 --max-memory=70M --threads=1 --turntable=- "${run#* }"
+done
 rm -f played.y4m one.y4m other.y4m t.gif
 expect 2 'burnish: --play: :sphere has no animation; omit the flag for a turn of the camera' render :sphere --turntable=t.gif --play
 expect 2 'burnish: --animation-time: --play shows all times; omit one of them' render moves.gltf --turntable=t.gif --play --animation-time=1

@@ -122,8 +122,10 @@ static void test_views(void) {
 static void check_packed(int is_big, int has_colors) {
     enum { COUNT = 257, BOUNDS = 18 };
     static const char *const names = "xyz";
-    const uint32_t words[4] = {2047u << 21 | 2047, 512u << 20 | 512u << 10 | 1023,
-                               1023u << 11 | 2047, 255u << 24 | 128u << 16 | 200};
+    /* each largest one of w, x, y and z; in another order each would be another turn */
+    static const uint8_t turns[4][4] = {
+        {218, 128, 128, 218}, {128, 218, 128, 218}, {218, 128, 218, 128}, {218, 128, 128, 218}};
+    uint32_t words[4] = {2047u << 21 | 2047, 0, 1023u << 11 | 2047, 255u << 24 | 128u << 16 | 200};
     const double bounds[BOUNDS] = {-1, -2,     -3,     3, 5, 9, log(0.5), log(2), log(0.5),
                                    0,  log(6), log(3), 0, 0, 0, 1,        1,      1};
     splat rows[COUNT];
@@ -148,8 +150,12 @@ static void check_packed(int is_big, int has_colors) {
         }
     }
     for (int i = 0; i < COUNT; ++i) {
-        rows[i] = (splat){
-            {i < 256 ? 3 : 4, -2, 9}, {0.5F, 6, 3}, {255, 128, 0, 200}, {218, 128, 128, 218}};
+        const uint32_t most = (uint32_t)i % 4;
+        rows[i] = (splat){{i < 256 ? 3 : 4, -2, 9},
+                          {0.5F, 6, 3},
+                          {255, 128, 0, 200},
+                          {turns[most][0], turns[most][1], turns[most][2], turns[most][3]}};
+        words[1] = most << 30 | 512u << 10 | (most < 2 ? 512u << 20 | 1023 : 1023u << 20 | 512);
         for (int k = 0; k < 4; ++k) {
             put_bits(&file, words[k], 4, is_big);
         }

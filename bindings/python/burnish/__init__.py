@@ -190,8 +190,8 @@ class Mesh(_burnish.Mesh):
         """Draws the mesh, with options of drawing.
 
         planes   of "depth", "normal", "triangle" and "coverage": arrays in the property planes of the image
-        K, R, t  a camera as in OpenCV: a point p of the mesh is at K (R p + t), x right, y down, z forward, and pixel (0, 0) has its
-                 middle there. Distortion and skew are not possible.
+        K, R, t  a camera as in OpenCV: a point p in the file's coordinates, of vertices + origin, is at K (R p + t), x right, y down,
+                 z forward, and pixel (0, 0) has its middle there. Distortion and skew are not possible.
         """
         _check("render", options, "draw", "load() or Mesh()")
         return self._draw(_kinds(planes), _pairs({**options, **_cameras.options_of(K, R, t)}))

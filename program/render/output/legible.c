@@ -39,6 +39,10 @@ static int is_speck(const render_cell *cell) {
             covered < (uint64_t)side);
 }
 
+static uint64_t common_divisor(uint64_t a, uint64_t b) {
+    return b > 0 ? common_divisor(b, a % b) : a;
+}
+
 int render_is_blank(const render_result *result, const render_cell *cell) {
     const int has_own_background = cell->report.ground || result->options->background_environment;
     return cell->has_one_color || (cell->report.covered_pixels == 0 && has_own_background);
@@ -80,8 +84,12 @@ static const char *find_fault(const render_result *result, const render_cell *ce
     if (is_drawing) {
         return NULL; /* its areas are as white as its paper */
     }
+    uint64_t step = 1 + all / SAMPLES;
+    while (common_divisor(step, (uint64_t)cell->image.width) > 1) { /* would pass columns over */
+        ++step;
+    }
     const render_tones tones =
-        render_measure_tones(&cell->image, NULL, covered, 1 + all / SAMPLES, result->options);
+        render_measure_tones(&cell->image, NULL, covered, step, result->options);
     return tones.like_ground > 0.95
                ? "shows the object in the colour of its background; change --background-color"
            : tones.near_black > 0.9

@@ -418,8 +418,8 @@ static burnish_status write_frames(stream *s, burnish_error *error) {
     const render_settings *settings = s->result->settings;
     const char *path = render_output_path(&settings->output);
     const char *container = picture_container((picture_format)settings->output.format);
-    s->taken = settings->output.plays ? 0 : s->animation->out.size; /* the header comes with the
-                                                                       first frame */
+    s->taken = s->written > 0 ? 0 : s->animation->out.size; /* the header comes with the first
+                                                               frame */
     burnish_status status =
         container && !sandbox_is_worker() /* the broker runs ffmpeg */
             ? picture_write_video(container, path, take_bytes, s, finish_file, error)
@@ -438,6 +438,8 @@ burnish_status render_write_turntable(render_result *result, burnish_file_check 
                                       burnish_error *error) {
     const render_settings *settings = result->settings;
     const burnish_image *image = &result->cells[0].image;
+    /* in a sandbox, loading frames can request files of the process that receives the output */
+    const int is_whole = settings->output.plays && sandbox_is_worker();
     picture_palette palette;
     stream s = {.result = result,
                 .ready = ready,
@@ -451,7 +453,7 @@ burnish_status render_write_turntable(render_result *result, burnish_file_check 
                                                .fps = settings->output.fps,
                                                .quality = settings->output.quality,
                                                .threads = settings->job.threads,
-                                               .is_whole = settings->output.plays,
+                                               .is_whole = is_whole,
                                                .palette = &palette};
     burnish_status status = settings->output.format == PICTURE_GIF
                                 ? choose_palette(&s, &palette, error)
@@ -463,10 +465,7 @@ burnish_status render_write_turntable(render_result *result, burnish_file_check 
         s.shown = *image;
         s.shown.pixels = malloc(image_size(image));
     }
-    /* before the output begins: in a sandbox, loading frames can request files of the process that
-     * receives the output */
-    while (status == BURNISH_STATUS_OK && settings->output.plays &&
-           s.written <= settings->output.frames) {
+    while (status == BURNISH_STATUS_OK && is_whole && s.written <= settings->output.frames) {
         status = encode_next(&s, error);
     }
     if (status == BURNISH_STATUS_OK) {

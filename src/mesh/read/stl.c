@@ -320,7 +320,8 @@ static burnish_status stl_read_text(burnish_reader *reader) {
                                             .indexed = 1u << BURNISH_POSITION};
     const uint8_t *at =
         burnish_lexer_open(reader->input->bytes, burnish_reader_head(reader), 0).next;
-    stl_state stl = {.reader = reader, .parts = {.memory = &reader->mesh->memory}};
+    stl_state stl = {.reader = reader,
+                     .parts = {.memory = &reader->mesh->memory, .next = burnish_part_of("", 0)}};
     reader->is_wide = 1;
     burnish_status status = burnish_chunks_read(&grammar, &stl, reader, &at, NULL);
     for (size_t i = 0; i < sizeof stl.groups / sizeof *stl.groups; ++i) {

@@ -285,16 +285,11 @@ static burnish_status update_shadow(burnish_call *d) {
         return BURNISH_STATUS_OK;
     }
     const burnish_status status = set_drawer(d);
-    if (status != BURNISH_STATUS_OK) {
-        return status;
+    d->report.shadow = status == BURNISH_STATUS_OK;
+    if (status != BURNISH_STATUS_OK || casts_rays(d)) {
+        return status; /* rays also find the shadow on the ground */
     }
-    d->report.shadow = 1;
-    if (!casts_rays(d)) {
-        d->view.shading.shadow = &d->view.shadow;
-    } else if (is_area ||
-               !options->ground) { /* whose shadow under a directional light is the map's */
-        return BURNISH_STATUS_OK;
-    }
+    d->view.shading.shadow = &d->view.shadow;
     return burnish_shadow_update(&renderer->shadow, &renderer->occlusion.drawer,
                                  &renderer->casters.mesh, &wanted, &renderer->tasks, &d->memory,
                                  &d->view.shadow);

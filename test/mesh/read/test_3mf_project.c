@@ -410,6 +410,27 @@ static void test_heights(void) {
                   (double[3]){9, 0, 3});
 }
 
+/* Each item has its own heights, which many heights and items together would take long to find. */
+static void test_many_heights(void) {
+    enum { ITEMS = 1 << 14, HEIGHTS = 512, EACH = 48 };
+    static const char layer[] = "<layer top_z='1' type='2' extruder='2'/>";
+    static char items[ITEMS * EACH], heights[HEIGHTS * EACH];
+    size_t size = (size_t)snprintf(items, sizeof items, "%s", MODEL(ONE_TRIANGLE("", ""), "%"));
+    size -= strlen("%</build></model>");
+    for (int i = 0; i < ITEMS; ++i) {
+        size += (size_t)snprintf(items + size, EACH, ITEM_1);
+    }
+    snprintf(items + size, EACH, "</build></model>");
+    for (size_t i = 0; i < HEIGHTS; ++i) {
+        snprintf(heights + i * strlen(layer), EACH, "%s<", layer);
+    }
+    zip_list *zip = begin_project(items, NULL, ";\n; filament_colour = #FF0000;#00FF00\n");
+    put_part_text(zip, "Metadata/custom_gcode_per_layer.xml", quoted_text(heights));
+    CHECK_OK(run_3mf(zip), fault);
+    check_warning("mesh.3mf: 512 changes of the filament are too many for 16384 items; they are "
+                  "not drawn");
+}
+
 /* Triangles keep their parts when they are reordered and cut. */
 static void test_triangle_parts(void) {
     const burnish_clip_plane plane = {{0, 0, 1}, 2};
@@ -515,6 +536,7 @@ int main(int count, char **arguments) {
         RUN(test_beds());
         RUN(test_undrawn());
         RUN(test_heights());
+        RUN(test_many_heights());
         RUN(test_triangle_parts());
         RUN(test_parts_with_negatives());
         RUN(test_thumbnail());

@@ -13,6 +13,8 @@ static void check_parts(const char *wanted, const char *numbers) {
     char parts[400] = "", of_triangles[100] = "";
     for (size_t i = 0; i < got.part_count; ++i) {
         const size_t used = strlen(parts);
+        const double *m = got.parts[i].transform;
+        CHECK(m[0] == 1 && m[5] == 1 && m[10] == 1, "%s: %g", wanted, m[0]);
         snprintf(parts + used, sizeof parts - used, "%s%s:%zu", i ? " " : "", got.parts[i].name,
                  got.parts[i].triangle_count);
     }

@@ -17,7 +17,7 @@ typedef enum burnish_part_join {
     BURNISH_JOIN_IDS
 } burnish_part_join;
 
-/* Start from all zero but for memory and join. */
+/* Start from all zero but for memory, join and, if triangles can come before the first name, next. */
 typedef struct burnish_part_list {
     burnish_memory *memory; /* the mesh data's */
     burnish_part_join join;

@@ -318,11 +318,12 @@ static burnish_status obj_read(burnish_reader *reader) {
     const size_t head = burnish_reader_head(reader);
     const int has_library = names_library(reader->input->bytes, head);
     burnish_memory *memory = &reader->mesh->memory;
+    const burnish_part unnamed = burnish_part_of("", 0);
     obj_state obj = {.reader = reader,
                      .with_texcoords = burnish_reader_keeps_coordinates(reader, has_library),
                      .materials = {.reader = reader, .changed = 1},
-                     .objects = {.memory = memory, .join = BURNISH_JOIN_NAMES},
-                     .groups = {.memory = memory, .join = BURNISH_JOIN_NAMES}};
+                     .objects = {.memory = memory, .join = BURNISH_JOIN_NAMES, .next = unnamed},
+                     .groups = {.memory = memory, .join = BURNISH_JOIN_NAMES, .next = unnamed}};
     const uint8_t *at = burnish_lexer_open(reader->input->bytes, head, 1).next;
     if (reader->input->streamed && has_library) {
         return burnish_stop_streaming(reader);

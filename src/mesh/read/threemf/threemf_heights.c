@@ -11,7 +11,11 @@
 
 #include "mesh/read/io/budget.h"
 
-enum { HEIGHTS_MOST = 512, SIDES = 8 /* more than a slice of a triangle has */ };
+enum {
+    HEIGHTS_MOST = 512,
+    LOOKUPS_MOST = 1 << 23, /* items times heights: a second's work */
+    SIDES = 8               /* more than a slice of a triangle has */
+};
 
 /* ---- The files ---- */
 
@@ -256,6 +260,16 @@ static int cut_polygon(height_splitter *splitter, uint32_t polygon[SIDES], int s
     return above_count;
 }
 
+/* The first bound above z. */
+static size_t find_bound(const height_splitter *splitter, float z) {
+    size_t first = 0;
+    for (size_t step = 2 * HEIGHTS_MOST; step > 0; step /= 2) {
+        const size_t next = first + step;
+        first = next <= splitter->bound_count && splitter->bounds[next - 1] <= z ? next : first;
+    }
+    return first;
+}
+
 /* Splits a triangle from below. Returns how many triangles and vertices that adds at most; only
  * that if it is dry. */
 static size_t split_triangle(height_splitter *splitter, size_t triangle, int is_dry) {
@@ -269,9 +283,10 @@ static size_t split_triangle(height_splitter *splitter, size_t triangle, int is_
     splitter->triangle = triangle;
     splitter->filament = mesh->triangle_materials[triangle] + 1u;
     splitter->has_place = 1;
-    for (size_t i = 0; i < splitter->bound_count; ++i) {
+    for (size_t i = find_bound(splitter, extent[0]);
+         i < splitter->bound_count && splitter->bounds[i] < extent[1]; ++i) {
         const float bound = splitter->bounds[i];
-        if (bound > extent[0] && bound < extent[1]) {
+        if (bound > extent[0]) {
             sides = is_dry ? 3 : cut_polygon(splitter, polygon, sides, bound);
             extent[0] = bound; /* equal ones count once */
             added += 2;
@@ -329,7 +344,12 @@ static void reserve_pieces(burnish_threemf *threemf, burnish_mesh_data *mesh, si
 
 int burnish_threemf_split_heights(burnish_threemf *threemf) {
     height_splitter splitter = {.threemf = threemf, .mesh = threemf->reader->mesh};
-    if (threemf->owners.count > 0 && splitter.mesh->triangle_materials) {
+    if (threemf->heights.count > LOOKUPS_MOST / (threemf->items.count + 1)) {
+        burnish_reader_warn(threemf->reader, NULL,
+                            "%zu changes of the filament are too many for %zu items; they are "
+                            "not drawn",
+                            threemf->heights.count, threemf->items.count);
+    } else if (threemf->owners.count > 0 && splitter.mesh->triangle_materials) {
         reserve_pieces(threemf, splitter.mesh, split_all(&splitter, 1));
         if (threemf->status == BURNISH_STATUS_OK) {
             split_all(&splitter, 0);
