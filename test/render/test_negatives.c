@@ -14,7 +14,7 @@ typedef struct box {
 } box;
 
 /* Two items of the same object, the second one moved by 5 along x; solids come first, and every
- * other negative volume is inside out. */
+ * other box is inside out. */
 typedef struct scene {
     box boxes[BOXES_MAX];
     int solids, count, items;
@@ -38,7 +38,7 @@ static burnish_mesh *load_scene(const scene *s) {
     m += sprintf(m, "</vertices><triangles>");
     for (int i = 0; i < 12 * s->count; ++i) {
         const int *at = corners[i % 12], first = 8 * (i / 12);
-        const int is_turned = i / 12 >= s->solids && i / 12 % 2;
+        const int is_turned = i / 12 % 2;
         m += sprintf(m, "<triangle v1='%d' v2='%d' v3='%d'/>", first + at[0],
                      first + at[1 + is_turned], first + at[2 - is_turned]);
     }

@@ -529,36 +529,53 @@ static int reserve_arrays(scene_writer *writer) {
     return threemf->status == BURNISH_STATUS_OK;
 }
 
-/* Turns negative volumes that are inside out: what is open is between their fronts and backs.
- * Returns 0 on failure. */
-static int orient_negatives(scene_writer *writer) {
-    burnish_mesh_data *mesh = writer->mesh->negatives;
-    double *volumes =
-        mesh ? burnish_allocate_zeroed(writer->threemf->memory, writer->mesh->part_count,
-                                       sizeof *volumes, "negative volumes")
-             : NULL;
-    uint32_t *corners = volumes ? mesh->streams[BURNISH_POSITION].corners : NULL;
-    for (size_t i = 0; corners && i < mesh->triangle_count; ++i) {
-        const float *p[3];
-        for (size_t k = 0; k < 3; ++k) {
-            p[k] = burnish_positions(mesh) + 3 * (size_t)corners[3 * i + k];
-        }
+/* Six times the volume of a part, whose corners are seen from its first one. */
+typedef struct part_volume {
+    const float *from;
+    double volume;
+} part_volume;
+
+static void add_volume(part_volume *part, const float *positions, const uint32_t *corners) {
+    double p[3][3];
+    part->from = part->from ? part->from : positions + 3 * (size_t)corners[0];
+    for (int c = 0; c < 3; ++c) {
         for (int k = 0; k < 3; ++k) {
-            const int l = (k + 1) % 3, m = (k + 2) % 3;
-            volumes[mesh->triangle_parts[i]] +=
-                (double)p[0][k] *
-                ((double)p[1][l] * (double)p[2][m] - (double)p[1][m] * (double)p[2][l]);
+            p[c][k] = (double)positions[3 * (size_t)corners[c] + (size_t)k] - (double)part->from[k];
         }
     }
-    for (size_t i = 0; corners && i < mesh->triangle_count; ++i) {
-        if (volumes[mesh->triangle_parts[i]] < 0) {
-            const uint32_t second = corners[3 * i + 1];
-            corners[3 * i + 1] = corners[3 * i + 2];
-            corners[3 * i + 2] = second;
+    for (int k = 0; k < 3; ++k) {
+        const int l = (k + 1) % 3, m = (k + 2) % 3;
+        part->volume += p[0][k] * (p[1][l] * p[2][m] - p[1][m] * p[2][l]);
+    }
+}
+
+/* Turns the parts of a mesh that are inside out: what is subtracted, and from what, is between
+ * fronts and backs. Returns 0 on failure. */
+static int orient_parts(const scene_writer *writer, burnish_mesh_data *mesh) {
+    part_volume *volumes = burnish_allocate_zeroed(
+        writer->threemf->memory, writer->mesh->part_count, sizeof *volumes, "volumes of parts");
+    for (size_t i = 0; volumes && i < mesh->triangle_count; ++i) {
+        add_volume(&volumes[mesh->triangle_parts[i]], burnish_positions(mesh),
+                   mesh->streams[BURNISH_POSITION].corners + 3 * i);
+    }
+    for (int k = 0; volumes && k < BURNISH_ATTRIBUTE_COUNT; ++k) {
+        uint32_t *corners = mesh->streams[k].corners;
+        for (size_t i = 0; corners && i < mesh->triangle_count; ++i) {
+            if (volumes[mesh->triangle_parts[i]].volume < 0) {
+                const uint32_t second = corners[3 * i + 1];
+                corners[3 * i + 1] = corners[3 * i + 2];
+                corners[3 * i + 2] = second;
+            }
         }
     }
     burnish_release(writer->threemf->memory->context, volumes);
-    return !mesh || volumes;
+    return volumes != NULL;
+}
+
+/* Only negative volumes need to know inside from outside. */
+static int orient_volumes(const scene_writer *writer) {
+    burnish_mesh_data *negatives = writer->mesh->negatives;
+    return !negatives || (orient_parts(writer, negatives) && orient_parts(writer, writer->mesh));
 }
 
 int burnish_threemf_write_scene(burnish_threemf *threemf) {
@@ -588,8 +605,8 @@ int burnish_threemf_write_scene(burnish_threemf *threemf) {
                                               BURNISH_VALUE_LIMIT);
         return 0;
     }
-    return reserve_arrays(&writer) && walk_all(&writer, write_object) &&
-           orient_negatives(&writer) && burnish_threemf_split_heights(threemf);
+    return reserve_arrays(&writer) && walk_all(&writer, write_object) && orient_volumes(&writer) &&
+           burnish_threemf_split_heights(threemf);
 }
 
 #endif
