@@ -238,6 +238,7 @@ room unused.gltf 10 '{},{"doubleSided":true}'
 inside=$(hash open.gltf --size=64 --cull-back-faces) outside=$(hash open.gltf --size=64 --no-cull-back-faces)
 check "the sides of a room differ" [ "$inside" != "$outside" ]
 same "a room" "$(hash open.gltf --size=64)" "$inside"
+same "a room in a scene" "$(hash open.gltf --scene --size=64)" "$inside"
 same "a room next to an unused material" "$(hash unused.gltf --size=64)" "$inside"
 same "a room of two-sided walls" "$(hash two.gltf --size=64)" "$outside"
 same "a closed room, or a solid that is inside out" "$(hash closed.gltf --size=64)" "$(hash closed.gltf --size=64 --no-cull-back-faces)"

@@ -194,7 +194,7 @@ class Mesh(_burnish.Mesh):
                  z forward, and pixel (0, 0) has its middle there. Distortion and skew are not possible.
         """
         _check("render", options, "draw", "load() or Mesh()")
-        return self._draw(_kinds(planes), _pairs({**options, **_cameras.options_of(K, R, t)}))
+        return self._draw(_kinds(planes), _pairs(_cameras.join({**options}, K, R, t)))
 
     @property
     def parts(self) -> list[Part]:
@@ -315,14 +315,14 @@ def render(
         _check("render", options, None)
         loading = {key: value for key, value in options.items() if "load" in _FLAGS[key]}
         drawing = {key: value for key, value in options.items() if "draw" in _FLAGS[key]}
-    drawing.update(_cameras.options_of(K, R, t))
+    drawing = _cameras.join({**drawing}, K, R, t)
     kinds = _kinds(planes)
     shots = [one if isinstance(one, Mapping) else dict(zip("KRt", one)) for one in ([{}] if cameras is None else cameras)]
     pairs = []
     for shot in shots:
         own = {key: value for key, value in shot.items() if key not in ("K", "R", "t")}
         _check("render", own, "draw", "render(), for all cameras,")
-        pairs.append(_pairs({**drawing, **own, **_cameras.options_of(shot.get("K"), shot.get("R"), shot.get("t"))}))
+        pairs.append(_pairs({**drawing, **_cameras.join(own, shot.get("K"), shot.get("R"), shot.get("t"))}))
         _burnish.check(pairs[-1])
     mesh = source if isinstance(source, Mesh) else load(source, name=name, files=files, tolerance=tolerance, **loading)
     pictures = [mesh._draw(kinds, one) for one in pairs]

@@ -38,3 +38,12 @@ def options_of(K: Any, R: Any, t: Any) -> dict[str, Any]:
         "camera_focal_point": [at + reach * axis for at, axis in zip(position, forward)],
         "camera_view_up": [-axis for axis in down],
     }
+
+
+def join(options: dict[str, Any], K: Any, R: Any, t: Any) -> dict[str, Any]:
+    """Options with the camera of K, R and t, which have no other one."""
+    camera = options_of(K, R, t)
+    for name in camera:
+        if options.get(name) is not None:
+            raise TypeError(f"{name}: K, R and t set the camera; omit one of them")
+    return {**options, **camera}

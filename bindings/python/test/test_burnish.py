@@ -346,6 +346,7 @@ class Cameras(unittest.TestCase):
     def test_refused(self):
         K = ((50, 0, 16), (0, 50, 16), (0, 0, 1))
         for kind, line, matrices in (
+            (TypeError, "omit", {"K": K, "R": self.R, "t": self.t, "camera_position": (1, 2, 3)}),
             (TypeError, "together", {"K": K}), (ValueError, "expected K", {"K": ((50, 0, 16), (0, 1, 16)), "R": self.R, "t": self.t}),
             (ValueError, "fx", {"K": ((50, 1, 16), *K[1:]), "R": self.R, "t": self.t}),
             (ValueError, "rotation", {"K": K, "R": ((1, 0, 0), (0, 1, 0), (0, 0, -1)), "t": self.t}),

@@ -513,9 +513,11 @@ static int settle_clouds(burnish_scene *scene) {
 
 static void add_facts(const burnish_scene *scene, burnish_mesh_data *to) {
     size_t lines = 0, negatives = 0;
+    to->is_one_sided = 1;
     for (size_t i = 0; i < scene->item_count; ++i) {
         const burnish_mesh_data *mesh = &scene->items[i].source->mesh;
         to->line_count += mesh->line_count;
+        to->is_one_sided &= mesh->is_one_sided;
         to->has_average_normals |= mesh->has_average_normals;
         to->has_normal_textures |= mesh->has_normal_textures;
         lines += lines_of(mesh);
