@@ -8,6 +8,7 @@
 #define BURNISH_MESH_READ_GLTF_GLTF_H
 
 #include "base/bytes.h"
+#include "mesh/read/common/matrix.h"
 #include "mesh/read/io/json.h"
 
 /* The most items of one top-level array. */
@@ -251,8 +252,6 @@ static inline uint32_t burnish_gltf_integer(const burnish_gltf_accessor *accesso
 
 /* ---- gltf_nodes.c ---- */
 
-/* product = a b, of 3 x 4 matrices; it may be one of them. */
-void burnish_gltf_multiply(const double a[12], const double b[12], double product[12]);
 void burnish_gltf_compose(const double translation[3], const double rotation[4],
                           const double scale[3], double matrix[12]);
 

@@ -116,7 +116,7 @@ static void place_joints(burnish_gltf *gltf, uint32_t number) {
             double columns[16], rows[12];
             burnish_gltf_element(bind, i, columns);
             burnish_gltf_transpose(columns, rows);
-            burnish_gltf_multiply(matrix, rows, matrix);
+            burnish_matrix_multiply(matrix, rows, matrix);
         }
     }
 }

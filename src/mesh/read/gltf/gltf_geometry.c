@@ -530,7 +530,7 @@ static void for_each_instance(gltf_drawer *drawer, const burnish_gltf_node *node
             }
         }
         burnish_gltf_compose(parts[0], parts[1], parts[2], matrix);
-        burnish_gltf_multiply(node->matrix, matrix, matrix);
+        burnish_matrix_multiply(node->matrix, matrix, matrix);
         for_each_of_mesh(drawer, node, matrix, use);
     }
 }

@@ -7,18 +7,6 @@
 
 static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 
-void burnish_gltf_multiply(const double a[12], const double b[12], double product[12]) {
-    double out[12];
-    for (int row = 0; row < 3; ++row) {
-        const double *r = a + 4 * row;
-        for (int k = 0; k < 4; ++k) {
-            out[4 * row + k] = r[0] * b[k] + r[1] * b[4 + k] + r[2] * b[8 + k];
-        }
-        out[4 * row + 3] += r[3];
-    }
-    memcpy(product, out, sizeof out);
-}
-
 void burnish_gltf_transpose(const double columns[16], double matrix[12]) {
     for (int row = 0; row < 3; ++row) {
         for (int k = 0; k < 4; ++k) {
@@ -190,7 +178,7 @@ void burnish_gltf_place_nodes(burnish_gltf *gltf) {
         double local[12];
         read_local(gltf, value, gltf->poses ? &gltf->poses[gltf->node_order[i]] : NULL, local);
         node->skin = burnish_gltf_reference(gltf, value, "skin", BURNISH_GLTF_SKINS);
-        burnish_gltf_multiply(parent ? parent->matrix : identity, local, node->matrix);
+        burnish_matrix_multiply(parent ? parent->matrix : identity, local, node->matrix);
         node->is_drawn =
             (node->is_drawn || (parent && parent->is_drawn)) && is_visible(gltf, value);
     }

@@ -15,18 +15,6 @@ enum { SEARCHED = 256, MATERIALS_MOST = 65536 };
 
 /* ---- Transforms ---- */
 
-void burnish_scene_multiply(const double a[12], const double b[12], double product[12]) {
-    double out[12];
-    for (int row = 0; row < 3; ++row) {
-        const double *r = a + 4 * row;
-        for (int k = 0; k < 4; ++k) {
-            out[4 * row + k] = r[0] * b[k] + r[1] * b[4 + k] + r[2] * b[8 + k];
-        }
-        out[4 * row + 3] += r[3];
-    }
-    memcpy(product, out, sizeof out);
-}
-
 void burnish_scene_place(const double sines[3], const double cosines[3], const double move[3],
                          double transform[12]) {
     const double *s = sines, *c = cosines;
@@ -422,7 +410,7 @@ static burnish_status join_parts(burnish_scene *scene) {
             part->item += first;
             part->plate = part->filament = 0;
             name_part(item, part);
-            burnish_scene_multiply(item->transform, part->transform, part->transform);
+            burnish_matrix_multiply(item->transform, part->transform, part->transform);
         }
         first += items;
     }
@@ -455,7 +443,7 @@ static void match_units(burnish_scene *scene) {
         const double factor = own && meters_of(unit) > 0 ? meters_of(own) / meters_of(unit) : 1;
         const double scale[12] = {factor, 0, 0, 0, 0, factor, 0, 0, 0, 0, factor, 0};
         if (factor != 1 && factor > 0) {
-            burnish_scene_multiply(item->transform, scale, item->transform);
+            burnish_matrix_multiply(item->transform, scale, item->transform);
             other = own;
         }
     }

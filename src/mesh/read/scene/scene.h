@@ -3,6 +3,7 @@
 #ifndef BURNISH_MESH_READ_SCENE_SCENE_H
 #define BURNISH_MESH_READ_SCENE_SCENE_H
 
+#include "mesh/read/common/matrix.h"
 #include "mesh/read/io/reader.h"
 
 /* The most items of a scene. */
@@ -69,9 +70,6 @@ void burnish_scene_close(burnish_scene *scene);
 
 #define BURNISH_SCENE_IDENTITY                                                                     \
     { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 }
-
-/* product = a b; it may be one of them */
-void burnish_scene_multiply(const double a[12], const double b[12], double product[12]);
 
 /* Rotates by angles about the fixed axes X, then Y, then Z, and moves: `rpy` and `xyz` of URDF.
  *   sines, cosines  of the angles */

@@ -173,9 +173,9 @@ static int place_link(burnish_urdf *urdf, int number) {
             const burnish_urdf_joint *joint = &urdf->joints[link->parent];
             double motion[12];
             find_motion(joint, motion);
-            burnish_scene_multiply(urdf->links[joint->parent_link].transform, joint->origin,
-                                   link->transform);
-            burnish_scene_multiply(link->transform, motion, link->transform);
+            burnish_matrix_multiply(urdf->links[joint->parent_link].transform, joint->origin,
+                                    link->transform);
+            burnish_matrix_multiply(link->transform, motion, link->transform);
         }
         link->is_placed = 1;
     }
@@ -296,13 +296,13 @@ static int add_visual(burnish_urdf *urdf, const burnish_urdf_visual *visual,
         return 0;
     }
     burnish_part_set_name(item->name, link->name, strlen(link->name));
-    burnish_scene_multiply(link->transform, visual->origin, item->transform);
+    burnish_matrix_multiply(link->transform, visual->origin, item->transform);
     for (int i = 0; i < 12 && visual->shape == BURNISH_URDF_MESH; ++i) {
         item->transform[i] *= i % 4 < 3 ? visual->size[i % 4] : 1;
     }
     if (source->is_turned) { /* ROS takes the coordinates of the file */
         static const double back[12] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0};
-        burnish_scene_multiply(item->transform, back, item->transform);
+        burnish_matrix_multiply(item->transform, back, item->transform);
     }
     if (color && !has_own_colors(&source->mesh)) {
         item->has_color = 1;

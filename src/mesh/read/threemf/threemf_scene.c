@@ -7,6 +7,7 @@
 #include <float.h>
 
 #include "mesh/read/common/local_origin.h"
+#include "mesh/read/common/matrix.h"
 #include "mesh/read/common/textures.h"
 
 enum {
@@ -96,16 +97,6 @@ typedef struct scene_writer {
 
 typedef int use_object(scene_writer *writer, const scene_place *place);
 
-static void multiply_matrices(const double a[12], const double b[12], double product[12]) {
-    for (int row = 0; row < 3; ++row) {
-        const double *r = a + 4 * row;
-        for (int k = 0; k < 4; ++k) {
-            product[4 * row + k] = r[0] * b[k] + r[1] * b[4 + k] + r[2] * b[8 + k];
-        }
-        product[4 * row + 3] += r[3];
-    }
-}
-
 static const burnish_threemf_settings *settings_of(const burnish_threemf *threemf,
                                                    const burnish_threemf_object *object) {
     return object->settings ? &threemf->settings.items[object->settings - 1] : NULL;
@@ -164,7 +155,7 @@ static void enter_component(const burnish_threemf *threemf, const scene_place *f
         &threemf->components.items[object->first_component + number];
     const burnish_threemf_volume *volume = find_volume(threemf, object, number, component->id);
     *to = *from;
-    multiply_matrices(from->matrix, component->matrix, to->matrix);
+    burnish_matrix_multiply(from->matrix, component->matrix, to->matrix);
     to->object = component->object;
     enter_object(threemf, to, volume);
 }
