@@ -118,6 +118,9 @@ static const cli_term json_terms[] = {
     {"*bounding_box, unit*",
      "*min* and *max* of the object, for points and lines without the solids that are drawn; the "
      "unit, such as millimeter, if the input has one (3MF, glTF), else null"},
+    {"*parts*",
+     "of scenes and robots: *name*, *triangles*, and *transform*, 3 rows of 4 numbers that "
+     "place it in the scene, without *--explode*; the command info lists parts of others"},
     {"*origin*", "subtracted from coordinates, in double precision, before they are rounded to "
                  "single precision: 0, 0, 0, or a position near the middle of an input that is far "
                  "away from it. Flags and output always use the coordinates of the input"},
@@ -144,6 +147,7 @@ static const cli_term json_terms[] = {
      "larger divided by the smaller, from 1 to 21 (as in WCAG 2); null without a background"},
     {"*camera*",
      "*position*, *focal_point*, *view_up*, *view_angle*, *orthographic_height* (0: perspective)"},
+    {"*intrinsics*", "of *--camera-intrinsics*, if it has an effect"},
     {"*pixels_per_unit*", "scale of a parallel projection; null in perspective"},
     {"*lobe, equation, viewer, look, occlusion, ground, shadow, lights, area_lights, samples, "
      "threads, isa*",

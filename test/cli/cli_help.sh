@@ -107,12 +107,15 @@ for flags in '-o p.png' '-o p.png --views=front,top' '-o p.png --plane=depth:d.n
     run render :sphere --size=16 --json $flags
     json_keys >>keys.txt
 done
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >t.obj
+run render t.obj --scene --json --size=16 --camera-position=9,9,9 --camera-intrinsics=9,9,8,8 -o p.png
+json_keys >>keys.txt
 sort -u keys.txt >written.txt
 awk '/^.SH/ { on = /JSON OUTPUT/ } on' page.txt >section.txt
 grep -o 'fB[a-z_, ]*fR' section.txt | sed 's/^fB//; s/fR$//' | tr ', ' '\n\n' | grep . | sort -u >told.txt
 check "JSON keys and the manual differ: $(diff written.txt told.txt | grep '^[<>]' | tr '\n' ' ')" cmp written.txt told.txt
 check "fewer than 40 JSON keys" [ "$(wc -l <written.txt)" -ge 40 ]
-rm -f p.png d.npy t.gif
+rm -f p.png d.npy t.gif t.obj
 # help --json has the flags of the help screens, and the keys that the manual lists.
 sed -n '/^.SH "FLAGS IN JSON"/,/^.SH/p' page.txt | grep -o '^f[BI][a-z_, ]*fR$' | sed 's/^fB//; s/fR$//' | tr ', ' '\n\n' | grep . | sort >told.txt
 check "flags in JSON" python3 - "$burnish" <<'END'

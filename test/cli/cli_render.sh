@@ -460,6 +460,8 @@ expect 0 'burnish: warning: block.obj: the picture has no room for 3 of the anno
 expect 0 'burnish: warning: block.obj: --annotate: scale: a perspective has no scale, so the picture has no bar; use --camera-orthographic, or omit it' \
     render block.obj --views=front --camera-orthographic=no --annotate=scale -o s.png
 calibrated="block.obj --size=60 --camera-position=9,9,9 --camera-intrinsics=90,90,9,9"
+run render $calibrated --json -o s.png
+check "the report has intrinsics" grep -q '"intrinsics":.*90, 90, 9, 9' "$out"
 same "no annotations at calibrated cameras" "$(hash $calibrated)" "$(hash $calibrated --annotate=box 2>/dev/null)"
 expect 2 'burnish: --annotate: "ruler" is not one of axes, box, dimensions, scale, grid, none' render block.obj --annotate=axes,ruler
 

@@ -14,6 +14,7 @@
 #include "cli/coordinates.h"
 #include "import/importers.h"
 #include "render/scene/cameras.h"
+#include "render/scene/library_options.h"
 #include "render/scene/prepare.h"
 #include "render/scene/winding.h"
 #include "render/settings/flag_values.h"
@@ -78,6 +79,10 @@ static void add_picture(cJSON *object, const render_result *result, const render
     cli_json_add(object, "like_ground", cli_json_real(cell->tones.like_ground), failed);
     cli_json_add(object, "contrast", cli_json_real(cell->tones.contrast), failed);
     cli_json_add(object, "camera", render_camera_object(&cell->camera, origin, failed), failed);
+    if (render_is_calibrated(result->settings)) {
+        cli_json_add(object, "intrinsics",
+                     cli_json_reals(4, result->settings->camera.intrinsics.values), failed);
+    }
     const double height = cell->camera.orthographic_height;
     const int picture_height =
         render_is_projection(result->settings) ? cell->image.height : result->options->height;
