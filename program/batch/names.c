@@ -45,21 +45,23 @@ typedef struct parts {
     size_t folder_size, model_size;
 } parts;
 
-/* The length of the folders of an input; a file in an archive is in the archive's folder. */
-static size_t folder_length(const char *input) {
-    const char *member = burnish_archive_member(input);
-    size_t length = (size_t)((member ? member : cli_base_name(input)) - input);
-    while (member && length > 0 && input[length - 1] != '/') {
-        --length;
+/* The length of the folders of an item's input; a file in an archive is in the archive's folder, or
+ * in the archive's own ones if all folders are named. */
+static size_t folder_length(const batch_item *item) {
+    const char *input = item->input, *member = burnish_archive_member(input);
+    const int is_beside = member && item->level < LEVEL_FOLDERS;
+    const char *end = is_beside ? member : cli_base_name(member ? member : input);
+    while (is_beside && end > input && end[-1] != '/') {
+        --end;
     }
-    return length;
+    return (size_t)(end - input);
 }
 
 static parts split_path(const batch_item *item) {
     const char *input = item->input;
     const size_t tree = *input == ':' ? 1 : item->level >= LEVEL_FOLDERS ? 0 : item->tree;
     parts p = {.folder = input + tree, .model = cli_model_name(input)};
-    p.folder_size = folder_length(input) > tree ? folder_length(input) - tree : 0;
+    p.folder_size = folder_length(item) > tree ? folder_length(item) - tree : 0;
     p.model_size = cli_stem_length(p.model);
     p.extension = p.model[p.model_size] ? p.model + p.model_size + 1 : "";
     return p;

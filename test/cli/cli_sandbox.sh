@@ -178,6 +178,8 @@ gives 0 batch kits -d made --size=16
 check "an archive in a folder: $(ls made)" [ -s made/one.png ]
 check "archives of no or several models are passed over" sh -c "head -n 1 made/burnish-batch.jsonl | grep -q '\"passed_over\":2}\$'"
 gives 11 batch kits/several.zip -d made --size=16
+run batch kit.zip:lib/b.obj kits/one.zip:b.obj -d made --size=16
+check "two models of one name in archives: $(cat "$err")" [ -s made/kit.zip:lib/b.png -a -s made/kits/one.zip:b.png ]
 (cd named && "$burnish" render ../kit.zip:a.obj --size=16 2>"$err")
 check "the name of a model in an archive: $(ls named)" [ -s named/a.png ]
 rm -rf kits named
