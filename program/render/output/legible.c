@@ -7,6 +7,7 @@
 
 enum {
     SAMPLES = 1 << 15, /* pixels that are inspected, about */
+    GLANCE = 1 << 9,   /* of which the first are enough for most pictures */
     SIDES = 50         /* a smaller object has a side of less than 1 / SIDES of the picture's */
 };
 
@@ -41,6 +42,17 @@ static int is_speck(const render_cell *cell) {
 
 static uint64_t common_divisor(uint64_t a, uint64_t b) {
     return b > 0 ? common_divisor(b, a % b) : a;
+}
+
+/* The tones of about so many pixels, evenly from all columns. */
+static render_tones measure(const render_result *result, const render_cell *cell,
+                            uint64_t samples) {
+    const burnish_image *image = &cell->image;
+    uint64_t step = 1 + (uint64_t)image->width * (uint64_t)image->height / samples;
+    while (common_divisor(step, (uint64_t)image->width) > 1) { /* would pass columns over */
+        ++step;
+    }
+    return render_measure_tones(image, NULL, cell->report.covered_pixels, step, result->options);
 }
 
 int render_is_blank(const render_result *result, const render_cell *cell) {
@@ -84,12 +96,11 @@ static const char *find_fault(const render_result *result, const render_cell *ce
     if (is_drawing) {
         return NULL; /* its areas are as white as its paper */
     }
-    uint64_t step = 1 + all / SAMPLES;
-    while (common_divisor(step, (uint64_t)cell->image.width) > 1) { /* would pass columns over */
-        ++step;
+    render_tones tones = measure(result, cell, GLANCE);
+    if (covered > all / 10 && !(tones.like_ground > 0.5) && tones.near_black < 0.5) {
+        return NULL; /* far from both limits */
     }
-    const render_tones tones =
-        render_measure_tones(&cell->image, NULL, covered, step, result->options);
+    tones = measure(result, cell, SAMPLES);
     return tones.like_ground > 0.95
                ? "shows the object in the colour of its background; change --background-color"
            : tones.near_black > 0.9
