@@ -4,6 +4,9 @@
 
 #include <string.h>
 
+#define BURNISH_MATRIX_IDENTITY                                                                    \
+    { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 }
+
 /* product = a b; it may be one of them. */
 static inline void burnish_matrix_multiply(const double a[12], const double b[12],
                                            double product[12]) {

@@ -5,7 +5,7 @@
 #include "base/elementary.h"
 #include "mesh/read/common/parts.h"
 
-static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+static const double identity[12] = BURNISH_MATRIX_IDENTITY;
 
 void burnish_gltf_transpose(const double columns[16], double matrix[12]) {
     for (int row = 0; row < 3; ++row) {

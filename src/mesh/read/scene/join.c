@@ -86,7 +86,7 @@ static int move_positions(const burnish_mesh_data *mesh, const double m[12], con
 
 /* Whether values are the same in every place. */
 static int stays(burnish_attribute attribute, const double m[12]) {
-    static const double identity[12] = BURNISH_SCENE_IDENTITY;
+    static const double identity[12] = BURNISH_MATRIX_IDENTITY;
     int is_turned = 0;
     for (int i = 0; i < 12; ++i) {
         is_turned |= i % 4 != 3 && m[i] != identity[i];
@@ -393,7 +393,7 @@ static burnish_status join_parts(burnish_scene *scene) {
         burnish_scene_item *item = &scene->items[i];
         const burnish_mesh_data *mesh = &item->source->mesh;
         const burnish_part whole = {.triangle_count = mesh->triangle_count,
-                                    .transform = BURNISH_SCENE_IDENTITY};
+                                    .transform = BURNISH_MATRIX_IDENTITY};
         const size_t count = mesh->part_count > 0 ? mesh->part_count : 1;
         uint32_t items = 1;
         item->first_part =

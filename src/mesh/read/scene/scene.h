@@ -68,9 +68,6 @@ void burnish_scene_close(burnish_scene *scene);
 
 /* ---- Transforms ---- */
 
-#define BURNISH_SCENE_IDENTITY                                                                     \
-    { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0 }
-
 /* Rotates by angles about the fixed axes X, then Y, then Z, and moves: `rpy` and `xyz` of URDF.
  *   sines, cosines  of the angles */
 void burnish_scene_place(const double sines[3], const double cosines[3], const double move[3],

@@ -54,7 +54,7 @@ burnish_scene_item *burnish_scene_add(burnish_scene *scene, burnish_scene_source
         return NULL;
     }
     scene->items[scene->item_count] =
-        (burnish_scene_item){.source = source, .transform = BURNISH_SCENE_IDENTITY};
+        (burnish_scene_item){.source = source, .transform = BURNISH_MATRIX_IDENTITY};
     return &scene->items[scene->item_count++];
 }
 

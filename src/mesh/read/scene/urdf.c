@@ -125,7 +125,7 @@ static int set_values(burnish_urdf *urdf) {
 
 /* A joint's motion: a turn about its axis, or a move along it. */
 static void find_motion(const burnish_urdf_joint *joint, double motion[12]) {
-    static const double identity[12] = BURNISH_SCENE_IDENTITY;
+    static const double identity[12] = BURNISH_MATRIX_IDENTITY;
     const double *given = joint->axis;
     const double length =
         burnish_sqrt(given[0] * given[0] + given[1] * given[1] + given[2] * given[2]);
@@ -152,7 +152,7 @@ static void find_motion(const burnish_urdf_joint *joint, double motion[12]) {
 
 /* Places a link after those above it. */
 static int place_link(burnish_urdf *urdf, int number) {
-    static const double identity[12] = BURNISH_SCENE_IDENTITY;
+    static const double identity[12] = BURNISH_MATRIX_IDENTITY;
     int chain[BURNISH_URDF_MOST], count = 0;
     for (int at = number; !urdf->links[at].is_placed;) {
         const burnish_urdf_link *link = &urdf->links[at];

@@ -174,7 +174,7 @@ static void *add_row(urdf_xml *xml, void **rows_at, size_t *count, size_t *capac
     add_row(xml, (void **)&(xml)->urdf->list##s, &(xml)->urdf->list##_count,                       \
             &(xml)->urdf->list##_capacity, sizeof *(xml)->urdf->list##s, most)
 
-static const double identity[12] = BURNISH_SCENE_IDENTITY;
+static const double identity[12] = BURNISH_MATRIX_IDENTITY;
 
 static void begin_visual(urdf_xml *xml, int is_collision) {
     burnish_urdf_visual *visual = ADD_ROW(xml, visual, BURNISH_SCENE_ITEMS);

@@ -1,6 +1,7 @@
 /* A model part of 3MF: its elements become arrays. References are resolved later, when all parts
  * have been read. */
 #include "base/numbers.h"
+#include "mesh/read/common/matrix.h"
 #include "mesh/read/threemf/threemf.h"
 #include "mesh/read/threemf/threemf_xml.h"
 
@@ -328,7 +329,7 @@ static void add_triangle(model_state *model, burnish_threemf_xml *xml,
 /* Twelve numbers in the order of columns: x' = x m[0] + y m[3] + z m[6] + m[9]. */
 static int read_matrix(burnish_threemf_xml *xml, const char *text, double matrix[12]) {
     burnish_threemf *threemf = xml->threemf;
-    static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    static const double identity[12] = BURNISH_MATRIX_IDENTITY;
     memcpy(matrix, identity, sizeof identity);
     if (!text) {
         return 1;

@@ -33,7 +33,7 @@ static void resolve_placement(burnish_threemf *threemf, burnish_threemf_placemen
 
 /* For a file without a build, draws all objects that are not part of another. */
 static void build_all(burnish_threemf *threemf) {
-    static const double identity[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    static const double identity[12] = BURNISH_MATRIX_IDENTITY;
     for (uint32_t i = 0; i < threemf->objects.count; ++i) {
         const burnish_threemf_object *object = &threemf->objects.items[i];
         burnish_threemf_placement *item =
