@@ -15,6 +15,7 @@ static struct shared {
     int killed_from, killed_to; /* these starts, counted from 1, end by SIGKILL */
     int is_unlocked;            /* 1: workers can't start, and write why */
     atomic_int starts, killed;
+    _Atomic pid_t last_killed;
     size_t reply_bytes, request_bytes; /* that a lying worker could write */
     burnish_status status;
     burnish_error error;
@@ -36,6 +37,12 @@ static size_t fill(int file) {
     return sum;
 }
 
+/* 1 once the server has waited for the last process that was killed. */
+static int have_starts_failed(void) {
+    return shared->killed > shared->killed_to - shared->killed_from &&
+           kill(shared->last_killed, 0) != 0;
+}
+
 /* A worker that does what its request says: {fill}, {wait} until all starts failed, or {}. */
 void serve_work(const serve_settings *settings) {
     const int start = ++shared->starts;
@@ -43,6 +50,7 @@ void serve_work(const serve_settings *settings) {
     char request[8] = "";
     (void)settings;
     if (start >= shared->killed_from && start <= shared->killed_to) {
+        shared->last_killed = getpid();
         ++shared->killed;
         raise(SIGKILL);
     }
@@ -59,8 +67,7 @@ void serve_work(const serve_settings *settings) {
         shared->reply_bytes = fill(SERVE_REPLY);
         _exit(0);
     }
-    while (strncmp(request, "{wait}", 6) == 0 &&
-           shared->killed <= shared->killed_to - shared->killed_from) {
+    while (strncmp(request, "{wait}", 6) == 0 && !have_starts_failed()) {
         usleep(1000);
     }
     _exit(cli_write_all(SERVE_REPLY, "{\"code\":0}\n", 11) ? 0 : 6);
@@ -74,6 +81,7 @@ static size_t serve(int jobs, const char *requests, size_t *count) {
     size_t size = 0;
     ssize_t got;
     CHECK1(pipe(in) == 0 && pipe(out) == 0);
+    fflush(stdout); /* failures that were reported must not reach the server's output */
     const pid_t process = fork();
     if (process == 0) {
         serve_settings settings = defaults;
