@@ -29,7 +29,7 @@ ends_as() {
 }
 
 mkdir files
-PYTHONDONTWRITEBYTECODE=1 python3 "$here/../hostile/make.py" files $(PYTHONDONTWRITEBYTECODE=1 python3 "$here/../hostile/files.py") >../list
+python3 "$here/../hostile/make.py" files >../list
 while read -r file code flags; do
     check "$file: more than 1 MB" [ "$(($(wc -c <"$file")))" -le 1000000 ]
     [ "$code" = 0 ] && ends_as "$file" 0 $flags --size=64 || ends_as "$file" "$code" $flags

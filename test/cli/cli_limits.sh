@@ -50,16 +50,23 @@ too_much() { # FILE WHERE FLAGS...
     check "$file $*: $(cat "$err")" grep -qx "burnish: the triangles cover $where [0-9]* times, which takes long; the limit is [0-9]*: raise max-overdraw, or leave out what is hidden" "$err"
     check "$file $*: no picture" [ ! -e h.png ]
 }
-PYTHONDONTWRITEBYTECODE=1 python3 "$here/../hostile/make.py" . sheets-4000.stl sheets-20000.stl sheets-500.stl \
-    same-120000.obj transparent-500.ply >/dev/null
-too_much sheets-4000.stl "the picture" --views=top --occlusion=none
-too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --views=front
-too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --views=front --occlusion=none --shadow --max-overdraw=250
-too_much sheets-20000.stl "a depth map (ambient occlusion, ground, shadow)" --occlusion=none --ground --margin=0.15
+# layers COUNT: triangles behind one another, of each of which a picture from above shows half.
+layers() { awk -v n="$1" 'BEGIN { for (i = 0; i < n; ++i) { y = i / n; print "v 0", y, "0\nv 1", y, "0\nv 0", y, "1\nf -3 -2 -1" } }'; }
+for count in 500 4000 20000; do
+    layers $count >sheets-$count.obj
+done
+awk 'BEGIN { print "v 0 0 0\nv 1 0 0\nv 0 1 0"; for (i = 0; i < 120000; ++i) print "f 1 2 3" }' >same-120000.obj
+{ echo "newmtl m
+d 0.08" >transparent.mtl && echo "mtllib transparent.mtl
+usemtl m" && layers 500; } >transparent-500.obj
+too_much sheets-4000.obj "the picture" --views=top --occlusion=none
+too_much sheets-20000.obj "a depth map (ambient occlusion, ground, shadow)" --views=front
+too_much sheets-20000.obj "a depth map (ambient occlusion, ground, shadow)" --views=front --occlusion=none --shadow --max-overdraw=250
+too_much sheets-20000.obj "a depth map (ambient occlusion, ground, shadow)" --occlusion=none --ground --margin=0.15 --max-overdraw=2000
 too_much same-120000.obj "the picture" --views=front --look=drawing
-too_much transparent-500.ply "the picture" --views=front --occlusion=none
-too_much sheets-500.stl "the picture" --views=top --occlusion=none --max-overdraw=10
-gives 0 render sheets-500.stl --up=format --views=top --size=640 --samples=1 --occlusion=none --max-overdraw=1e6 --json -o h.png  # a higher limit
+too_much transparent-500.obj "the picture" --views=top --occlusion=none
+too_much sheets-500.obj "the picture" --views=top --occlusion=none --max-overdraw=10
+gives 0 render sheets-500.obj --up=format --views=top --size=640 --samples=1 --occlusion=none --max-overdraw=1e6 --json -o h.png  # a higher limit
 # 500 sheets of half the object's square, 0.9 of the picture's side each: a little more for cells at their edges
 check "overdraw: $(json overdraw)" awk "BEGIN { exit !($(json overdraw) >= 202 && $(json overdraw) < 320) }"
 # A bundle of long thin triangles, as tubes in a tube have: at any size, also with the sky's depth maps.
@@ -73,7 +80,7 @@ awk 'BEGIN {
 for size in 64 256 768; do
     gives 0 render bundle.obj --size=$size --max-overdraw=120 -o h.png
 done
-rm -f ./*.stl ./*.obj ./*.ply h.png
+rm -f ./*.obj ./*.mtl h.png
 expect 2 'burnish: --max-overdraw: "0.5" is not a number from 1 to 1000000000' render :sphere --max-overdraw=0.5
 nothing_left "limits"
 finish

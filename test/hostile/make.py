@@ -1,220 +1,238 @@
 #!/usr/bin/env python3
-"""Writes files of less than 1 MB that are meant to take long, or much memory.
+"""Writes files of less than 1 MB that become large: one of each kind of thing that a format can repeat.
 
 Usage: test/hostile/make.py FOLDER [NAME...]        without names: all of them
 Each line of output is a file, the exit code that `burnish render` ends with, and flags that suit it.
 """
-import math
+import gzip
+import io
+import json
 import os
 import random
 import struct
 import sys
+import zipfile
+import zlib
 
-from files import FILES, png, textured
-
-
-def stl(triangles):
-    """Binary STL of nine coordinates per triangle."""
-    parts = [b"\0" * 80, struct.pack("<I", len(triangles))]
-    parts += [struct.pack("<12fH", 0, 0, 0, *t, 0) for t in triangles]
-    return b"".join(parts)
+MIB = 1 << 20
+LARGEST = 5792  # its square is just below 2^25
+TRIANGLE = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
 
 
-def obj(positions, faces):
-    return ("".join("v %.6g %.6g %.6g\n" % p for p in positions) +
-            "".join("f %s\n" % " ".join(map(str, f)) for f in faces)).encode()
+def chunk(kind, data):
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
 
 
-def sheet(z, turn=0):
-    """A triangle of which a picture from above shows half."""
-    t = [(0, 0), (1, 0), (0, 1)] if not turn else [(1, 1), (0, 1), (1, 0)]
-    return [c for x, y in t for c in (x, y, z)]
+def png(width, height, depth=8, kind=0, rows=None, interlaced=0, end=True):
+    """Of one colour, where `rows` are not given. kind: 0 grey, 2 RGB, 6 RGBA"""
+    row = 1 + width * {0: 1, 2: 3, 6: 4}[kind] * depth // 8
+    if rows is None:
+        packer = zlib.compressobj(9)
+        count = row * height * 9 // 8 if interlaced else row * height
+        parts = [packer.compress(bytes(min(MIB, count - i))) for i in range(0, count, MIB)]
+        data = b"".join(parts) + packer.flush()
+    else:
+        data = zlib.compress(rows)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, depth, kind, 0, 0, interlaced)) +
+            chunk(b"IDAT", data) + (chunk(b"IEND", b"") if end else chunk(b"IDAT", b"\0") + chunk(b"IEND", b"")))
 
 
-def sheets(count, nearest_first=False):
-    order = range(count, 0, -1) if nearest_first else range(count)
-    return stl([sheet(i / count) for i in order])
+def tga(side):
+    """In runs of 128 grey pixels."""
+    return (struct.pack("<BBBHHBHHHHBB", 0, 0, 11, 0, 0, 0, 0, 0, side, side, 8, 0) + b"\xff\x80" * (side * side // 128))
 
 
-def alternating(count):
-    """Alternately front- and back-facing."""
-    triangles = []
-    for i in range(count):
-        t = sheet(i / count)
-        triangles.append(t if i % 2 else t[:3] + t[6:] + t[3:6])
-    return stl(triangles)
+# ---- glTF ----
+
+def accessor(view, count, kind="VEC3", component=5126):
+    return {"bufferView": view, "componentType": component, "count": count, "type": kind}
 
 
-def shuffled(count):
+def zeros(count):
+    """An accessor without bytes."""
+    return {"componentType": 5126, "count": count, "type": "VEC3"}
+
+
+def glb(parts, accessors, primitives=({"attributes": {"POSITION": 0}},), mesh=None, **more):
+    """A mesh of primitives in one buffer of all parts, with a view of each, and whatever the scene has besides."""
+    data, listed = b"", []
+    for part in parts:
+        listed.append({"buffer": 0, "byteOffset": len(data), "byteLength": len(part)})
+        data += part + bytes(-len(part) % 4)
+    scene = {"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "meshes": [{"primitives": primitives, **(mesh or {})}],
+             "accessors": accessors, "buffers": [{"byteLength": len(data)}], "bufferViews": listed, **more}
+    scene |= {"scene": 0, "scenes": [{"nodes": list(range(len(scene["nodes"])))}]}
+    text = json.dumps(scene, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 4)
+    body = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(data), b"BIN\0") + data
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(body)) + body
+
+
+def listed(**more):
+    """A triangle and long lists."""
+    return glb([TRIANGLE], [accessor(0, 3)], **more)
+
+
+def cloud(count):
     rng = random.Random(1)
-    order = list(range(count))
-    rng.shuffle(order)
-    return stl([sheet(i / count) for i in order])
+    return struct.pack("<%df" % (3 * count), *(rng.random() for _ in range(3 * count)))
 
 
-def crossed(count):
-    """Sheets of two slopes, each of which pierces all of the other."""
-    triangles = []
-    for i in range(count):
-        t = sheet(0)
-        s = 1 if i % 2 else -1
-        for k in range(3):
-            t[3 * k + 2] = s * (t[3 * k] - 0.5) + i / count
-        triangles.append(t)
-    return stl(triangles)
+def instanced(count):
+    node = {"mesh": 0, "extensions": {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 1}}}}
+    return glb([TRIANGLE], [accessor(0, 3), zeros(count)], nodes=[node], extensionsUsed=["EXT_mesh_gpu_instancing"])
 
 
-def around_an_axis(count):
-    triangles = []
-    for i in range(count):
-        a = math.pi * i / count
-        c, s = math.cos(a), math.sin(a)
-        triangles.append([-c, -1, -s, c, -1, s, 0, 1, 0])
-    return stl(triangles)
+def morphed(count, targets, nodes):
+    return glb([cloud(count)], [accessor(0, count)], [{"attributes": {"POSITION": 0}, "targets": [{"POSITION": 0}] * targets}],
+               {"weights": [1] * targets}, nodes=[{"mesh": 0}] * nodes)
 
 
-def random_large(count):
-    rng = random.Random(2)
-    return stl([[rng.uniform(-1, 1) for _ in range(9)] for _ in range(count)])
+def skinned(count, joints, nodes):
+    return glb([cloud(count), bytes(4 * count), struct.pack("<4f", 1, 0, 0, 0) * count],
+               [accessor(0, count), accessor(1, count, "VEC4", 5121), accessor(2, count, "VEC4")],
+               [{"attributes": {"POSITION": 0, "JOINTS_0": 1, "WEIGHTS_0": 2}}], skins=[{"joints": [0] * joints}] * nodes,
+               nodes=[{"mesh": 0, "skin": i} for i in range(nodes)])
 
 
-def spikes(count):
-    rng = random.Random(3)
-    triangles = []
-    for _ in range(count):
-        p = [rng.uniform(-1, 1) for _ in range(6)]
-        triangles.append(p + [p[3] + 0.01, p[4], p[5]])
-    return stl(triangles)
+def sparse(count, times):
+    return glb([TRIANGLE], [accessor(0, 3)] + [zeros(count)] * times, [{"attributes": {"POSITION": 1 + i}} for i in range(times)])
 
 
-def same(count):
-    return obj([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(1, 2, 3)] * count)
+def meshopt(count, times):
+    """Compressed views of zeros: a bit or so for each group of vertices."""
+    packed = b"\xa0" + bytes(12 * sum(((min(256, count - i) + 15) // 16 + 3) // 4 for i in range(0, count, 256))) + bytes(32)
+    view = {"buffer": 0, "byteLength": 0, "extensions": {"EXT_meshopt_compression": {
+        "buffer": 0, "byteLength": len(packed), "byteStride": 12, "count": count, "mode": "ATTRIBUTES"}}}
+    return glb([packed], [accessor(i, count) for i in range(times)], [{"attributes": {"POSITION": i}} for i in range(times)],
+               bufferViews=[view] * times, extensionsUsed=["EXT_meshopt_compression"])
 
 
-def same_turned(count):
-    """The same triangle, its vertices in other orders, and both windings."""
-    faces = [(1, 2, 3), (2, 3, 1), (3, 1, 2), (3, 2, 1)]
-    return obj([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [faces[i % 4] for i in range(count)])
+def lit(count):
+    return listed(nodes=[{"mesh": 0}] + [{"extensions": {"KHR_lights_punctual": {"light": 0}}}] * count,
+                  extensions={"KHR_lights_punctual": {"lights": [{"type": "point"}]}})
 
 
-def fan(count):
-    """One face that goes around four vertices again and again: 2 bytes per triangle."""
-    return obj([(0, 0, 0), (1, 0, 0.01), (1, 1, 0), (0, 1, 0.02)],
-               [tuple(1 + i % 4 for i in range(count))])
+def animated(count):
+    channel = {"sampler": 0, "target": {"node": 0, "path": "translation"}}
+    return glb([TRIANGLE, struct.pack("<%df" % count, *range(count)), bytes(12 * count)],
+               [accessor(0, 3), accessor(1, count, "SCALAR"), accessor(2, count)],
+               animations=[{"samplers": [{"input": 1, "output": 2}], "channels": [channel] * (4 * count)}])
 
 
-def near_copies(count):
-    """Sheets whose depths differ in the last bits."""
-    return stl([sheet(1 + i * 2.0 ** -22) for i in range(count)])
+def textured(picture, uses=1, modes=("OPAQUE", "BLEND", "MASK")):
+    """A triangle for each use of a picture in each mode: as its colour, its metal and its normals."""
+    materials = [{"pbrMetallicRoughness": {"baseColorTexture": {"index": i}, "metallicRoughnessTexture": {"index": i}},
+                  "normalTexture": {"index": i}, "alphaMode": mode} for i in range(uses) for mode in modes]
+    return glb([TRIANGLE, struct.pack("<6f", 0, 0, 1, 0, 0, 1), picture], [accessor(0, 3), accessor(1, 3, "VEC2")],
+               [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": i} for i in range(len(materials))],
+               images=[{"bufferView": 2, "mimeType": "image/png"}] * uses,
+               textures=[{"source": i} for i in range(uses)], materials=materials)
 
 
-def growing(count):
-    """Each sheet covers the last one and some more: none is hidden."""
-    return stl([[0, 0, i / count, .5 + .5 * i / count, 0, i / count, 0, .5 + .5 * i / count,
-                 i / count] for i in range(count)])
+# ---- 3MF and text, and what gzip makes of it ----
+
+def threemf(items=1, blanks=0):
+    """A sheet of 8,192 triangles in many places."""
+    vertices = "".join('<vertex x="%d" y="%d" z="0"/>' % (i % 65, i // 65) for i in range(65 * 65))
+    corners = [65 * y + x for y in range(64) for x in range(64)]
+    triangles = "".join('<triangle v1="%d" v2="%d" v3="%d"/><triangle v1="%d" v2="%d" v3="%d"/>' % (a, a + 1, a + 66, a, a + 66, a + 65) for a in corners)
+    places = "".join('<item objectid="1" transform="1 0 0 0 1 0 0 0 1 %d %d 0"/>' % (i % 40 * 64, i // 40 * 64) for i in range(items))
+    out = io.BytesIO()
+    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("_rels/.rels", '<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship '
+                         'Target="/3D/3dmodel.model" Id="r" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>')
+        archive.writestr("3D/3dmodel.model", '<model xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources><object id="1"><mesh>'
+                         f"<vertices>{vertices}</vertices><triangles>{triangles}</triangles></mesh></object></resources><build>{places}</build></model>" + " " * blanks)
+    return out.getvalue()
 
 
-def transparent(count, alpha=20):
-    """PLY with alpha."""
-    header = ("ply\nformat binary_little_endian 1.0\nelement vertex %d\nproperty float x\n"
-              "property float y\nproperty float z\nproperty uchar red\nproperty uchar green\n"
-              "property uchar blue\nproperty uchar alpha\nelement face %d\n"
-              "property list uchar int vertex_indices\nend_header\n" % (3 * count, count))
-    out = [header.encode()]
-    for i in range(count):
-        t = sheet(i / count)
-        out += [struct.pack("<3f4B", *t[3 * k:3 * k + 3], 200, 100, 50, alpha) for k in range(3)]
-    out += [struct.pack("<B3i", 3, 3 * i, 3 * i + 1, 3 * i + 2) for i in range(count)]
-    return b"".join(out)
+FOUR = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
 
 
-def many_libraries(count):
-    return b"mtllib" + b" a" * count + b"\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+def packed(data):
+    return gzip.compress(data, 9, mtime=0)
 
 
-def long_libraries(size):
-    out = [b"mtllib " + b"%d" % (i % 10) * 3000 + b"\n" for i in range(63)]
-    out += [b"mtllib q\n"] * (size // 9)
-    return b"".join(out) + b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+def nested_gzip(size):
+    """A ZIP whose part is gzip: of one member that is stored, so the part is not small, and of one that unpacks to `size`."""
+    out = io.BytesIO()
+    with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("a.obj", gzip.compress(FOUR + b"f 1 2 3\n" + b" " * (2 * MIB), 0, mtime=0) + packed(b" " * size))
+    return out.getvalue()
 
 
-def many_elements(count):
-    header = b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-    header += b"element face 1\nproperty list uchar int vertex_indices\n" * count
-    return header + b"end_header\n0 0 0\n1 0 0\n0 1 0\n" + b"2 0 1\n" * count
+def random_polygon(count):
+    rng = random.Random(4)
+    return ("".join("v %.3f %.3f %.3f\n" % (rng.random(), rng.random(), rng.random()) for _ in range(count)) +
+            "f " + " ".join(map(str, range(1, count + 1))) + "\n").encode()
 
 
-def edges_at_a_vertex(count):
-    """Faces of all slopes around one edge, with other normals."""
-    ring = [(math.cos(i), math.sin(i), 0.0) for i in range(count)]
-    return obj([(0, 0, 0), (0, 0, 1)] + ring, [(1, 2, i + 3) for i in range(count)])
+def random_faces(points, different, count):
+    """Faces that are repeated; far fewer are different."""
+    rng = random.Random(6)
+    vertices = "".join("v %d %d %d\n" % tuple(rng.randrange(99) for _ in "xyz") for _ in range(points))
+    faces = "".join("f %d %d %d\n" % tuple(rng.sample(range(1, points + 1), 3)) for _ in range(different))
+    return (vertices + faces * (count // different)).encode()
 
 
-def grid_folded(count):
-    """Saw teeth seen edge on: silhouettes everywhere."""
-    n = int(math.sqrt(count / 2))
-    positions = [(x / n, y / n, 0.3 * ((x + y) % 2)) for y in range(n + 1) for x in range(n + 1)]
-    faces = []
-    for y in range(n):
-        for x in range(n):
-            a = y * (n + 1) + x + 1
-            faces += [(a, a + 1, a + n + 2), (a, a + n + 2, a + n + 1)]
-    return obj(positions, faces)
+def obj_with(pictures, count, textures):
+    """A triangle for each of `count` materials, which name these textures in turn; and the pictures' files."""
+    library = "".join("newmtl m%d\nmap_Kd %s\n" % (i, textures(i)) for i in range(count))
+    faces = "".join("usemtl m%d\nf 1/1 2/2 3/3\n" % i for i in range(count))
+    return {"a.obj": ("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n" + faces).encode(), "a.mtl": library.encode()[:900000], **pictures}
 
 
-TOP = "--views=top"
-MAPS = ("color", "metal", "normal")
 CASES = {
-    "sheets-500.stl": (lambda: sheets(500), TOP, 0),
-    "sheets-500-back.stl": (lambda: sheets(500, True), TOP, 0),
-    "sheets-4000.stl": (lambda: sheets(4000), TOP, 5),
-    "sheets-20000.stl": (lambda: sheets(20000), TOP, 5),
-    "sheets-20000-back.stl": (lambda: sheets(20000, True), TOP, 5),
-    "shuffled-20000.stl": (lambda: shuffled(20000), TOP, 5),
-    "alternating-20000.stl": (lambda: alternating(20000), TOP, 5),
-    "crossed-20000.stl": (lambda: crossed(20000), TOP, 5),
-    "axis-20000.stl": (lambda: around_an_axis(20000), "", 5),
-    "random-20000.stl": (lambda: random_large(20000), "", 0),
-    "spikes-20000.stl": (lambda: spikes(20000), "", 0),
-    "growing-20000.stl": (lambda: growing(20000), TOP, 5),
-    "near-copies-20000.stl": (lambda: near_copies(20000), TOP, 5),
-    "same-1250.obj": (lambda: same(1250), "--views=front", 0),
-    "same-120000.obj": (lambda: same(120000), "--views=front", 5),
-    "same-edge-on-120000.obj": (lambda: same(120000), "--views=top", 5),
-    "same-turned-120000.obj": (lambda: same_turned(120000), "--views=front", 5),
-    "fan-450000.obj": (lambda: fan(450000), "--views=front", 5),
-    "transparent-500.ply": (lambda: transparent(500), "--views=front", 5),
-    "transparent-15000.ply": (lambda: transparent(15000), "--views=front", 5),
-    "faint-280.ply": (lambda: transparent(280, 1), "", 0),
-    "libraries-50000.obj": (lambda: many_libraries(50000), "", 0),
-    "libraries-400000.obj": (lambda: many_libraries(400000), "", 0),
-    "libraries-long.obj": (lambda: long_libraries(900000), "", 0),
-    "elements-10000.ply": (lambda: many_elements(10000), "", 4),
-    "edge-30000.obj": (lambda: edges_at_a_vertex(30000), "", 5),
-    "folded-30000.obj": (lambda: grid_folded(30000), "", 0),
-    "texture-16384.glb": (lambda: textured([png(16384, 16384)], MAPS), "", 0),
-    "textures-4096.glb": (lambda: textured([png(4096, 4096)] * 40, MAPS), "", 0),
-    "textures-512.glb": (lambda: textured([png(512, 512)] * 800, MAPS), "", 0),
-    **FILES,
+    "wide.glb": (lambda: textured(png(400000000, 1, 16, 6, bytes(9))), "", 0),
+    "flat.glb": (lambda: textured(png(LARGEST, LARGEST)), "", 0),
+    "flat-interlaced.glb": (lambda: textured(png(LARGEST, LARGEST, 16, 6, interlaced=1), modes=("OPAQUE",)), "", 0),
+    "flat-512.glb": (lambda: textured(png(512, 512), 127, ("OPAQUE",)), "", 0),
+    "damaged.glb": (lambda: textured(png(LARGEST, LARGEST, end=False), 400, ("OPAQUE",)), "", 0),
+    "runs": (lambda: obj_with({"runs.tga": tga(5120)}, 1, lambda i: "runs.tga"), "", 0),
+    "named-4000": (lambda: obj_with({"t.png": png(2048, 2048)}, 4000, lambda i: "t.png"), "--max-overdraw=2000", 0),
+    "named-2000-aliases": (lambda: obj_with({"t.png": png(2048, 2048)}, 2000, lambda i: "./" * (i % 900) + "t.png"), "", 0),
+    "instanced.glb": (lambda: instanced(20000000), "", 5),
+    "morphed.glb": (lambda: morphed(30000, 500, 1), "", 0),
+    "morphed-nodes.glb": (lambda: morphed(3000, 500, 500), "", 5),
+    "skinned.glb": (lambda: skinned(30, 10000, 30), "", 0),
+    "sparse.glb": (lambda: sparse(2000000, 20), "", 5),
+    "meshopt.glb": (lambda: meshopt(2500000, 8), "", 5),
+    "materials-65000.glb": (lambda: listed(materials=[{}] * 65000), "", 0),
+    "materials-300000.glb": (lambda: listed(materials=[{}] * 300000), "", 5),
+    "nodes-55000.glb": (lambda: listed(nodes=[{"mesh": 0}] * 55000), "", 5),
+    "lights-12000.glb": (lambda: lit(12000), "", 0),
+    "animated.glb": (lambda: animated(3000), "--animation-time=1", 0),
+    "nested-900000.gltf": (lambda: b"[" * 900000, "", 5),
+    "items.3mf": (lambda: threemf(1600), "", 5),
+    "blanks.3mf": (lambda: threemf(blanks=60 * MIB), "", 0),
+    "blanks-more.3mf": (lambda: threemf(blanks=80 * MIB), "", 5),
+    "polygon-25000.obj": (lambda: random_polygon(25000), "", 0),
+    "points.obj": (lambda: b"v 0 0 0\nv 1 0 0\n" + b"v 1 1 1\n" * 120000, "", 0),
+    "nested.zip": (lambda: nested_gzip(30 * MIB), "", 0),
+    "nested-more.zip": (lambda: nested_gzip(100 * MIB), "", 5),
+    "fan.obj.gz": (lambda: packed(FOUR + b"f " + b"1 2 3 4 " * 5000000), "", 5),
+    "both-sides.obj.gz": (lambda: packed(FOUR + b"f 1 2 3\nf 1 3 2\n" * 690000), "", 5),
+    "around-30.obj.gz": (lambda: packed(random_faces(30, 2000, 1390000)), "", 5),
+    "points.obj.gz": (lambda: packed(b"v 0 0 0\n" + b"v 1 1 1\np -1\n" * 3000000), "", 5),
+    "lines.obj.gz": (lambda: packed(FOUR + b"l" + b" 1 2" * 10000000), "", 5),
+    "vertices.obj.gz": (lambda: packed(FOUR + b"f 1 2 3\n" + b"v 1 1 1\n" * 550000), "", 0),
+    "materials.obj.gz": (lambda: packed(FOUR + b"f 1 2 3\n" + b"usemtl a\nusemtl b\n" * 3000000), "", 0),
+    "groups.obj.gz": (lambda: packed(FOUR + b"f 1 2 3\n" + b"g a\no b\ns 1\n" * 3000000), "", 0),
+    "cloud.ply.gz": (lambda: packed(b"ply\nformat binary_little_endian 1.0\nelement vertex %d\nproperty char x\nproperty char y\nproperty char z\nend_header\n" %
+                                    (13 * MIB) + bytes(i % 5 for i in range(375)) * (13 * MIB * 3 // 375 + 1)), "", 5),
+    "binary.stl.gz": (lambda: packed(bytes(80) + struct.pack("<I", 1320000) + (bytes(12) + TRIANGLE + bytes(2)) * 1320000), "", 5),
+    "lists.gltf.gz": (lambda: packed(b'{"asset":{"version":"2.0"},"extras":[' + b"[]," * 20000000 + b"[]]}"), "", 4),
+    "too-much.obj.gz": (lambda: packed(FOUR + b"f 1 2 3\n" + b" " * (80 * MIB)), "", 5),
 }
 
-
-def write(folder, name, content):
-    """The input, and the files that it names. Returns its path."""
+for name in sys.argv[2:] or CASES:
+    make, flags, code = CASES[name]
+    content = make()
     parts = content if isinstance(content, dict) else {name: content}
+    folder = os.path.join(sys.argv[1], name) if parts is content else sys.argv[1]
+    os.makedirs(folder, exist_ok=True)
     for part, data in parts.items():
         with open(os.path.join(folder, part), "wb") as file:
             file.write(data)
-    return os.path.join(folder, next(iter(parts)))
-
-
-def main():
-    folder, names = sys.argv[1], sys.argv[2:] or list(CASES)
-    os.makedirs(folder, exist_ok=True)
-    for name in names:
-        make, flags, code = CASES[name]
-        print(write(folder, name, make()), code, flags, flush=True)
-
-
-if __name__ == "__main__":
-    main()
+    print(os.path.join(folder, next(iter(parts))), code, flags, flush=True)
