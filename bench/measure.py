@@ -81,7 +81,7 @@ class Contestant:
         self.process.wait()
 
 
-def draw(programs, picture, burnish, cores, display):
+def draw(programs, picture, burnish, display):
     """Draws {input, output, size, default} with burnish, or with f3d if that is None. Returns wall-clock milliseconds and the peak
     of resident memory in KiB, or None if it fails. f3d takes one sample per pixel, without ambient occlusion. bench_peers_process
     starts the program: a child's peak starts from its parent's, and Python's is large."""
@@ -90,7 +90,7 @@ def draw(programs, picture, burnish, cores, display):
         command = [burnish, "render", picture["input"], "-o", picture["output"], f"--resolution={picture['size']}", "--quiet"]
         command += [] if picture.get("default") else ["--samples=1", "--look=plain"]
     time.sleep(0.1) # the X server cleans up after f3d
-    done = subprocess.run([f"{programs}/bench_peers_process", str(cores), *command], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+    done = subprocess.run([f"{programs}/bench_peers_process", *command], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           env=os.environ if burnish else dict(os.environ, DISPLAY=display), check=False)
     return [float(word) for word in done.stdout.split()] if done.returncode == 0 else None
 

@@ -82,70 +82,7 @@ static void close_renderer(void *state) {
     free(r);
 }
 
-/* The mesh without shared vertices, each triangle in the colour of its number + 1. */
-static burnish_status numbered_scene(const burnish_mesh_view *mesh, burnish_mesh **scene,
-                                     burnish_error *error) {
-    size_t corners = 3 * mesh->triangle_count;
-    burnish_load_options load = burnish_load_options_default();
-    float *positions = malloc(3 * corners * sizeof *positions);
-    float *normals = malloc(3 * corners * sizeof *normals);
-    uint8_t *colors = malloc(4 * corners);
-    burnish_status status = BURNISH_STATUS_MEMORY;
-    if (positions && normals && colors) {
-        for (size_t i = 0; i < corners; ++i) {
-            size_t number = i / 3 + 1, vertex = mesh->indices[i];
-            memcpy(positions + 3 * i, mesh->positions + 3 * vertex, 3 * sizeof(float));
-            memcpy(normals + 3 * i, mesh->normals + 3 * vertex, 3 * sizeof(float));
-            const uint8_t color[4] = {(uint8_t)(number >> 16), (uint8_t)(number >> 8),
-                                      (uint8_t)number, 255};
-            memcpy(colors + 4 * i, color, sizeof color);
-        }
-        burnish_mesh_description arrays = burnish_mesh_description_default();
-        arrays.positions = (burnish_array){positions, corners, 0};
-        arrays.normals = (burnish_array){normals, corners, 0};
-        arrays.colors = (burnish_array){colors, corners, 0};
-        status = burnish_mesh_create(&arrays, &load, scene, error);
-    }
-    free(positions);
-    free(normals);
-    free(colors);
-    return status;
-}
-
-/* Draws the triangles' numbers as colours, lit by ambient light alone. */
-static int triangles(void *state, uint32_t *numbers) {
-    contestant *r = state;
-    burnish_mesh *scene = NULL;
-    burnish_image image;
-    burnish_error error;
-    burnish_render_options options = r->job->options;
-    burnish_material material = burnish_material_default();
-    const float white[3] = {1, 1, 1};
-    if (burnish_mesh_get_view(r->job->scene)->triangle_count >= 1 << 24 ||
-        numbered_scene(burnish_mesh_get_view(r->job->scene), &scene, &error) != BURNISH_STATUS_OK) {
-        return 0;
-    }
-    options.light_count = 0;
-    memcpy(options.ambient_light, white, sizeof white);
-    memcpy(material.ambient, white, sizeof white);
-    memcpy(material.diffuse, white, sizeof white);
-    memset(material.specular, 0, sizeof material.specular);
-    material.has_diffuse = 1;
-    int done = burnish_mesh_set_material(scene, 0, &material, &error) == BURNISH_STATUS_OK &&
-               burnish_render(scene, &options, &image, NULL, &error) == BURNISH_STATUS_OK;
-    for (size_t i = 0; done && i < BURNISH_PEERS_PIXELS; ++i) {
-        const uint8_t *p = image.pixels + 3 * i;
-        numbers[i] = ((uint32_t)p[0] << 16 | (uint32_t)p[1] << 8 | p[2]) - 1;
-    }
-    if (done) {
-        burnish_image_destroy(&image);
-    }
-    burnish_mesh_destroy(scene);
-    return done;
-}
-
 int main(int count, char **arguments) {
-    const burnish_peers_contestant burnish = {open_renderer, frame, picture, triangles,
-                                              close_renderer};
+    const burnish_peers_contestant burnish = {open_renderer, frame, picture, close_renderer};
     return burnish_peers_serve(&burnish, count, arguments);
 }

@@ -23,8 +23,7 @@ typedef struct tracer {
     RTCScene scene;
     const burnish_kernels *kernels;
     uint8_t *rgba;
-    uint32_t *numbers; /* NULL while frames are timed */
-    uint8_t *encoded;  /* NULL while frames are timed; 3 per pixel */
+    uint8_t *encoded; /* NULL while frames are timed; 3 per pixel */
     burnish_tasks tasks;
 } tracer;
 
@@ -141,9 +140,6 @@ static void collect(const tracer *t, const struct RTCRayHit16 *rays, int x0, int
             points->normal[k][points->count] = sign * (b0 * n0[k] + b1 * n1[k] + b2 * n2[k]);
         }
         points->pixel[points->count++] = pixel;
-        if (t->numbers) {
-            t->numbers[pixel] = rays->hit.primID[i];
-        }
     }
 }
 
@@ -251,17 +247,7 @@ static int picture(void *state, const char *variant, uint8_t *rgb) {
     return done;
 }
 
-static int triangles(void *state, uint32_t *numbers) {
-    tracer *t = state;
-    memset(numbers, 0xff, (size_t)BURNISH_PEERS_PIXELS * sizeof *numbers);
-    t->numbers = numbers;
-    int done = draw(t, "family");
-    t->numbers = NULL;
-    return done;
-}
-
 int main(int count, char **arguments) {
-    const burnish_peers_contestant contestant = {open_tracer, frame, picture, triangles,
-                                                 close_tracer};
+    const burnish_peers_contestant contestant = {open_tracer, frame, picture, close_tracer};
     return burnish_peers_serve(&contestant, count, arguments);
 }

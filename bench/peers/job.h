@@ -11,9 +11,6 @@ typedef struct burnish_peers_view {
     int width, height, samples, threads;
 } burnish_peers_view;
 
-/* Marks a pixel without a triangle in the pictures of triangle numbers. */
-#define BURNISH_PEERS_NOTHING UINT32_MAX
-
 /* One white directional light, a distant viewer, Blinn's cosine, black
  * background; colour = ambient + diffuse max(0, N.L) + specular lobe(N.H) where N.L > 0, in linear
  * light, and back faces culled or lit from their own side. */

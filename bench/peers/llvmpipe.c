@@ -15,7 +15,7 @@
 #include "llvmpipe_shaders.h"
 #include "worker.h"
 
-enum { LINEAR8, SRGB8, FLOAT32, NUMBER, TARGETS };
+enum { LINEAR8, SRGB8, FLOAT32, TARGETS };
 
 /* The plain names are OpenGL at its fastest for this picture: linear bytes, back faces
  * culled. */
@@ -38,7 +38,7 @@ static const char *const ORDER_NAMES[ORDERS] = {"burnish's order", "meshoptimize
 
 typedef struct gl_renderer {
     const burnish_peers_job *job;
-    GLuint programs[VARIANT_COUNT], number_program;
+    GLuint programs[VARIANT_COUNT];
     GLuint framebuffers[TARGETS];
     GLuint resolved;       /* where the samples of LINEAR8 go; 0: it has one per pixel */
     GLuint meshes[ORDERS]; /* vertex array objects */
@@ -180,12 +180,6 @@ static int make_programs(gl_renderer *gl, char *note) {
         }
         set_uniforms(gl->job, gl->programs[i]);
     }
-    const char *parts[4] = {fragment_number, "", "", ""};
-    gl->number_program = link_program(gl->job, parts, note);
-    if (!gl->number_program) {
-        return 0;
-    }
-    set_uniforms(gl->job, gl->number_program);
     return 1;
 }
 
@@ -207,7 +201,7 @@ static int make_framebuffer(const gl_renderer *gl, GLuint framebuffer, GLenum fo
 
 /* With several samples only LINEAR8. */
 static int make_framebuffers(gl_renderer *gl, char *note) {
-    const GLenum formats[TARGETS] = {GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA32F, GL_R32UI};
+    const GLenum formats[TARGETS] = {GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA32F};
     const int samples = gl->job->options.samples;
     int done = 1;
     glGenFramebuffers(TARGETS, gl->framebuffers);
@@ -359,20 +353,9 @@ static void draw(const gl_renderer *gl, GLuint program, int target, int cull, in
     } else {
         glDisable(GL_CULL_FACE);
     }
-    if (target == NUMBER) {
-        const GLuint nothing[4] = {BURNISH_PEERS_NOTHING, 0, 0, 0};
-        glClearBufferuiv(GL_COLOR, 0, nothing);
-        glClear(GL_DEPTH_BUFFER_BIT);
-    } else {
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    }
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glBindVertexArray(gl->meshes[order]);
-    if (target == NUMBER) {
-        glDrawElements(GL_TRIANGLES, (GLsizei)gl->ends[gl->material_count - 1], GL_UNSIGNED_INT,
-                       NULL);
-    } else {
-        draw_materials(gl);
-    }
+    draw_materials(gl);
     if (gl->resolved) {
         resolve(gl);
     }
@@ -446,12 +429,6 @@ static int frame(void *state, const char *name, double *milliseconds) {
     return glGetError() == GL_NO_ERROR;
 }
 
-/* The offset of the top row in what OpenGL reads back. */
-static size_t flipped(size_t pixel) {
-    size_t x = pixel % BURNISH_PEERS_WIDTH, y = pixel / BURNISH_PEERS_WIDTH;
-    return (BURNISH_PEERS_HEIGHT - 1 - y) * BURNISH_PEERS_WIDTH + x;
-}
-
 /* An sRGB framebuffer's own bytes; otherwise linear floats, encoded here exactly. */
 static int picture(void *state, const char *name, uint8_t *rgb) {
     const gl_renderer *gl = state;
@@ -467,8 +444,10 @@ static int picture(void *state, const char *name, uint8_t *rgb) {
     glReadPixels(0, 0, BURNISH_PEERS_WIDTH, BURNISH_PEERS_HEIGHT, GL_RGBA,
                  encoded ? GL_UNSIGNED_BYTE : GL_FLOAT, values);
     for (size_t p = 0; p < BURNISH_PEERS_PIXELS; ++p) {
+        /* OpenGL's first row is the lowest */
+        const size_t row = BURNISH_PEERS_HEIGHT - 1 - p / BURNISH_PEERS_WIDTH;
         for (size_t k = 0; k < 3; ++k) {
-            size_t from = 4 * flipped(p) + k;
+            size_t from = 4 * (row * BURNISH_PEERS_WIDTH + p % BURNISH_PEERS_WIDTH) + k;
             rgb[3 * p + k] = encoded ? codes[from] : burnish_peers_srgb((double)values[from]);
         }
     }
@@ -476,23 +455,7 @@ static int picture(void *state, const char *name, uint8_t *rgb) {
     return glGetError() == GL_NO_ERROR;
 }
 
-static int triangles(void *state, uint32_t *numbers) {
-    const gl_renderer *gl = state;
-    uint32_t *read = malloc((size_t)BURNISH_PEERS_PIXELS * sizeof *read);
-    if (!read) {
-        return 0;
-    }
-    draw(gl, gl->number_program, NUMBER, 0, ORDER_BURNISH); /* numbers are burnish's */
-    glReadPixels(0, 0, BURNISH_PEERS_WIDTH, BURNISH_PEERS_HEIGHT, GL_RED_INTEGER, GL_UNSIGNED_INT,
-                 read);
-    for (size_t p = 0; p < BURNISH_PEERS_PIXELS; ++p) {
-        numbers[p] = read[flipped(p)];
-    }
-    free(read);
-    return glGetError() == GL_NO_ERROR;
-}
-
 int main(int count, char **arguments) {
-    const burnish_peers_contestant contestant = {open_gl, frame, picture, triangles, close_gl};
+    const burnish_peers_contestant contestant = {open_gl, frame, picture, close_gl};
     return burnish_peers_serve(&contestant, count, arguments);
 }

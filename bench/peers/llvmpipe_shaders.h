@@ -49,7 +49,4 @@ static const char lobe_family[] =
 static const char lobe_schlick[] =
     "float lobe(float c) { c = max(c, 0.0); return c / (exponent - exponent * c + c); }\n";
 
-static const char fragment_number[] = "out uint number;\n"
-                                      "void main() { number = uint(gl_PrimitiveID); }\n";
-
 #endif

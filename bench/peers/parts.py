@@ -30,7 +30,7 @@ def run_part(file, size, display):
         measure.wait_until_quiet(patience)
         for who, name in enumerate(CONTESTANTS):
             picture = {"input": file, "output": f"{scratch}/part.png", "size": size, "default": name == "burnish"}
-            figure = measure.draw(programs, picture, burnish if who else None, 0, display)
+            figure = measure.draw(programs, picture, burnish if who else None, display)
             if not figure:
                 sys.exit(f"bench-peers: {name} can't draw {file}")
             if number:

@@ -5,15 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int write_file(const char *path, const void *bytes, size_t size) {
-    FILE *file = fopen(path, "wb");
-    if (!file) {
-        return 0;
-    }
-    int whole = fwrite(bytes, 1, size, file) == size;
-    return fclose(file) == 0 && whole;
-}
-
 static int reply_frames(const burnish_peers_contestant *contestant, void *state,
                         const char *variant, int count) {
     double milliseconds;
@@ -34,21 +25,11 @@ static int reply_frames(const burnish_peers_contestant *contestant, void *state,
 static int reply_picture(const burnish_peers_contestant *contestant, void *state,
                          const char *variant, const char *path) {
     uint8_t *rgb = calloc(BURNISH_PEERS_PIXELS, 3);
-    int done = rgb && contestant->picture(state, variant, rgb) &&
-               write_file(path, rgb, (size_t)BURNISH_PEERS_PIXELS * 3);
+    FILE *file = fopen(path, "wb");
+    int done = rgb && file && contestant->picture(state, variant, rgb) &&
+               fwrite(rgb, 3, BURNISH_PEERS_PIXELS, file) == BURNISH_PEERS_PIXELS;
+    done = file && fclose(file) == 0 && done;
     free(rgb);
-    if (done) {
-        printf("ok\n");
-    }
-    return done;
-}
-
-static int reply_triangles(const burnish_peers_contestant *contestant, void *state,
-                           const char *path) {
-    uint32_t *numbers = calloc(BURNISH_PEERS_PIXELS, sizeof *numbers);
-    int done = numbers && contestant->triangles(state, numbers) &&
-               write_file(path, numbers, (size_t)BURNISH_PEERS_PIXELS * sizeof *numbers);
-    free(numbers);
     if (done) {
         printf("ok\n");
     }
@@ -122,9 +103,6 @@ static int reply(server *s, const char *line) {
     }
     if (sscanf(line, "picture %31s %511s", variant, path) == 2) {
         return reply_picture(s->contestant, s->state, variant, path);
-    }
-    if (sscanf(line, "triangles %511s", path) == 1) {
-        return reply_triangles(s->contestant, s->state, path);
     }
     return 0;
 }

@@ -7,7 +7,6 @@
  *   counts                           ok TRIANGLES DRAWN PIXELS: of burnish's picture
  *   frame VARIANT COUNT              ok MS ...: COUNT frames after one that is not timed
  *   picture VARIANT FILE             ok: 8-bit sRGB, 3 bytes per pixel, rows from the top
- *   triangles FILE                   ok: the triangle that each pixel shows, 32 bits
  *
  * Files are 1920x1080 pixels. */
 #ifndef BURNISH_BENCH_PEERS_WORKER_H
@@ -25,7 +24,6 @@ typedef struct burnish_peers_contestant {
     int (*open)(void **state, const burnish_peers_job *job, int threads, char *note);
     int (*frame)(void *state, const char *variant, double *milliseconds);
     int (*picture)(void *state, const char *variant, uint8_t *rgb);
-    int (*triangles)(void *state, uint32_t *numbers);
     void (*close)(void *state);
 } burnish_peers_contestant;
 
