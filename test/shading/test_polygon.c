@@ -1,16 +1,15 @@
-/* Polygonal lights: values against integrals in double precision over the half-spaces of a polygon,
- * bits on all instruction sets and for all lengths, exact cases, refused arguments.
+/* Polygonal lights: values against the theory's closed forms in double precision, which
+ * test_theory_polygon compares with quadrature, bits on all instruction sets and for all lengths, exact cases, refused arguments.
  *
  * --trials 3000 tries more lights and prints the largest errors. */
 #include <math.h>
 #include <stdint.h>
 
 #include "burnish/kernels.h"
+#include "burnish/theory.h"
 #include "kernels_input.h"
 #define BURNISH_VECTOR_SCALAR
 #include "simd/vector_math.h"
-
-enum { PLANES_MAX = BURNISH_POLYGON_VERTEX_MAX + 1 };
 
 /* ---- Reference ---- */
 
@@ -40,97 +39,29 @@ static vec of_floats(const float *x) {
     return (vec){{(double)x[0], (double)x[1], (double)x[2]}};
 }
 
-/* The directions w with plane.w > 0 for all planes, an axis, and what is integrated around it: a
- * lobe, or the cosine if order is 0. */
-typedef struct region {
-    int count, order; /* -1: composite */
-    double zeta, energy;
-    burnish_composite composite;
-    vec plane[PLANES_MAX];
-    vec axis, across, up;
-} region;
-
-/* The integral of a composite over u, by Simpson's rule, from its values. */
-static double composite_integral(const burnish_composite *lobe, double end) {
-    enum { STEPS = 64 };
-    double sum = 0;
-    for (int i = 0; i <= STEPS; ++i) {
-        double v = (double)lobe->top * end * i / STEPS;
-        v *= v;
-        for (int k = 0; k < lobe->multiplications - 2; ++k) {
-            v *= v + (double)lobe->offset[k];
-        }
-        sum += v * (i == 0 || i == STEPS ? 1 : i % 2 ? 4 : 2);
+/* The polynomial in u of a lobe: a member of the family, or a composite where the order is 0. */
+static burnish_theory_powers powers_of(const burnish_kernels_lobe *lobe) {
+    const burnish_composite *composite = &lobe->composite;
+    burnish_theory_powers square,
+        made = burnish_theory_powers_of_order(lobe->order ? lobe->order : 1, (double)lobe->zeta);
+    if (lobe->order) {
+        return made;
     }
-    return sum * end / (3 * STEPS);
-}
-
-/* The antiderivative over the angle from the axis, scaled to 1 for the whole lobe or, for the cosine,
- * the hemisphere. */
-static double antiderivative(const region *given, double angle) {
-    if (given->order == 0) {
-        return pow(sin(fmin(angle, M_PI / 2)), 2);
-    }
-    const double u = fmax(0, 1 - 2 * given->zeta * pow(sin(angle / 2), 2));
-    if (given->order < 0) {
-        return 1 - composite_integral(&given->composite, u) / given->energy;
-    }
-    return 1 - pow(u, given->order + 1);
-}
-
-/* The integral along the meridian of an azimuth: the region is convex, so an interval of it. */
-static double meridian(const region *given, double azimuth) {
-    const double c = cos(azimuth), s = sin(azimuth);
-    double low = 0, high = M_PI;
-    for (int i = 0; i < given->count && low < high; ++i) {
-        const vec n = given->plane[i];
-        const double at_axis = dot(n, given->axis);
-        const double beside = c * dot(n, given->across) + s * dot(n, given->up);
-        const double middle = atan2(beside, at_axis); /* above 0 within pi/2 of it */
-        if (middle >= 0) {
-            low = fmax(low, middle - M_PI / 2);
-            high = fmin(high, middle + M_PI / 2);
-        } else { /* two intervals of the half circle: only one can be left */
-            if (high > middle + M_PI / 2 && low < middle + 3 * M_PI / 2) {
-                if (middle + M_PI / 2 > low) {
-                    high = middle + M_PI / 2;
-                } else {
-                    low = middle + 3 * M_PI / 2;
-                }
+    made.zeta = (double)composite->slope / (double)composite->top;
+    made.coefficients[1] = (double)composite->top; /* v, then v (v + offset) again and again */
+    for (int i = 0; i < composite->multiplications - 1; ++i) {
+        square = burnish_theory_powers_of_order(2 * made.degree, made.zeta);
+        square.coefficients[square.degree] = 0;
+        for (int a = 0; a <= made.degree; ++a) {
+            for (int b = 0; b <= made.degree; ++b) {
+                square.coefficients[a + b] += made.coefficients[a] * made.coefficients[b];
             }
+            square.coefficients[a] +=
+                i ? (double)composite->offset[i - 1] * made.coefficients[a] : 0;
         }
+        made = square;
     }
-    return low < high ? antiderivative(given, high) - antiderivative(given, low) : 0;
-}
-
-static double simpson(const region *given, double from, double to, const double at[3], int depth) {
-    const double middle = (from + to) / 2, width = (to - from) / 6;
-    const double whole = width * (at[0] + 4 * at[1] + at[2]);
-    const double quarter[2] = {meridian(given, (from + middle) / 2),
-                               meridian(given, (middle + to) / 2)};
-    const double halves = width / 2 * (at[0] + 4 * quarter[0] + 2 * at[1] + 4 * quarter[1] + at[2]);
-    if (depth >= 30 || (depth >= 5 && fabs(halves - whole) < 1e-10 * (to - from))) {
-        return halves + (halves - whole) / 15;
-    }
-    const double left[3] = {at[0], quarter[0], at[1]}, right[3] = {at[1], quarter[1], at[2]};
-    return simpson(given, from, middle, left, depth + 1) +
-           simpson(given, middle, to, right, depth + 1);
-}
-
-static double integral(region *given, vec axis) {
-    given->axis = unit(axis);
-    given->across =
-        unit(cross(given->axis, fabs(axis.x[0]) < 0.5 ? (vec){{1, 0, 0}} : (vec){{0, 1, 0}}));
-    given->up = cross(given->axis, given->across);
-    double total = 0;
-    enum { PARTS = 16 };
-    for (int i = 0; i < PARTS; ++i) { /* odd ends, to miss kinks */
-        const double from = 0.1234567 + 2 * M_PI * i / PARTS, to = from + 2 * M_PI / PARTS;
-        const double at[3] = {meridian(given, from), meridian(given, (from + to) / 2),
-                              meridian(given, to)};
-        total += simpson(given, from, to, at, 0);
-    }
-    return total / (2 * M_PI);
+    return made;
 }
 
 /* A point as the kernels get it. */
@@ -138,38 +69,29 @@ typedef struct place {
     float normal[3], position[3], w, axis[3];
 } place;
 
-/* diffuse, and specular of lobe 0. */
+/* diffuse, and specular of lobe 0: shares of the hemisphere's and of the whole lobe's light. */
 static void reference(const burnish_kernels_polygon *polygon, const place *at, double light[2]) {
-    region made = {.order = 0};
-    vec corner[BURNISH_POLYGON_VERTEX_MAX], middle = {{0, 0, 0}};
+    double corners[BURNISH_POLYGON_VERTEX_MAX][3], whole = 0;
     const int count = polygon->vertex_count;
+    const vec normal = of_floats(at->normal), axis = of_floats(at->axis);
+    const burnish_theory_powers lobe = powers_of(&polygon->lobes[0]);
     for (int v = 0; v < count; ++v) {
-        corner[v] = of_floats(polygon->vertices[v]);
+        vec corner = of_floats(polygon->vertices[v]);
         if (!polygon->is_distant) {
-            corner[v] = sum(corner[v], -1 / (double)at->w, of_floats(at->position));
+            corner = sum(corner, -1 / (double)at->w, of_floats(at->position));
         }
-        middle = sum(middle, 1, unit(corner[v]));
+        memcpy(corners[v], corner.x, sizeof corners[v]);
     }
-    const double side = dot(cross(corner[0], corner[1]), middle);
-    light[0] = light[1] = 0;
-    if (side > 0 && !polygon->is_two_sided) {
-        return;
+    const double(*const of)[3] = (const double(*)[3])corners;
+    for (int i = 0; i <= lobe.degree; ++i) {
+        whole += lobe.coefficients[i] * 2 * M_PI / (lobe.zeta * (i + 1));
     }
-    for (int v = 0; v < count; ++v) {
-        const vec n = unit(cross(corner[v], corner[(v + 1) % count]));
-        made.plane[made.count++] = sum((vec){{0, 0, 0}}, side > 0 ? 1 : -1, n);
+    /* negative if the light turns its back to the point */
+    light[0] = burnish_theory_polygon(1, 1, normal.x, NULL, of, count, NULL) / M_PI;
+    light[1] = burnish_theory_polygon_polynomial(&lobe, axis.x, normal.x, of, count, NULL) / whole;
+    for (int i = 0; i < 2; ++i) {
+        light[i] = polygon->is_two_sided ? fabs(light[i]) : fmax(0, light[i]);
     }
-    made.plane[made.count++] = unit(of_floats(at->normal));
-    light[0] = integral(&made, of_floats(at->normal));
-    made.order = polygon->lobes[0].order;
-    made.zeta = (double)polygon->lobes[0].zeta;
-    if (made.order == 0) {
-        made.order = -1;
-        made.composite = polygon->lobes[0].composite;
-        made.zeta = (double)made.composite.slope / (double)made.composite.top;
-        made.energy = composite_integral(&made.composite, 1);
-    }
-    light[1] = integral(&made, of_floats(at->axis));
 }
 
 /* ---- Random lights and points ---- */
