@@ -1,100 +1,38 @@
-/* Spheres and tubes: values against integrals in double precision over circles around a lobe's
- * axis, flat polygons and points of a cylinder; bits on all instruction sets; refused arguments.
+/* Spheres and tubes: values against the theory's closed forms in double precision, which
+ * test_theory_lights compares with quadrature, flat polygons and points of a cylinder; bits on all instruction sets; refused arguments.
  *
  * --trials 3000 tries more lights and prints the largest errors. */
 #include <math.h>
 
 #include "burnish/kernels.h"
+#include "burnish/theory.h"
 #include "kernels_input.h"
 #include "vec.h"
 
 typedef double vec[3];
-
-/* ---- Reference for spheres ---- */
-
-/* A cap and a horizon around an axis; order 0: the cosine. */
-typedef struct scene {
-    double middle, radius; /* angles: of the cap's middle from the axis, half of the cap's */
-    double normal, turn;   /* of the normal: from the axis, and its azimuth from the cap's */
-    double zeta;
-    int order;
-} scene;
-
-/* Half of the azimuths that a cap has on the circle at an angle from the axis. */
-static double half_width(double middle, double radius, double angle) {
-    const double d = sin(middle) * sin(angle), c = cos(radius) - cos(middle) * cos(angle);
-    return d > 0 ? acos(fmax(-1, fmin(1, c / d))) : c < 0 ? M_PI : 0;
-}
-
-static double integrand(const scene *s, double angle) {
-    const double a = half_width(s->middle, s->radius, angle);
-    const double b = half_width(s->normal, M_PI / 2, angle), u = 1 - s->zeta * (1 - cos(angle));
-    double both = 0;
-    for (int k = -1; k < 2; ++k) {
-        both += fmax(0, fmin(a, s->turn + b + 2 * M_PI * k) - fmax(-a, s->turn - b + 2 * M_PI * k));
-    }
-    return both * pow(fmax(0, u), s->order) * sin(angle);
-}
-
-static double simpson(const scene *s, double from, double to, const double at[3], int depth) {
-    const double middle = (from + to) / 2, width = (to - from) / 6;
-    const double quarter[2] = {integrand(s, (from + middle) / 2), integrand(s, (middle + to) / 2)};
-    const double left[3] = {at[0], quarter[0], at[1]}, right[3] = {at[1], quarter[1], at[2]};
-    const double whole = width * (at[0] + 4 * at[1] + at[2]);
-    const double halves = width / 2 * (at[0] + 4 * quarter[0] + 2 * at[1] + 4 * quarter[1] + at[2]);
-    if (depth >= 40 || (depth >= 5 && fabs(halves - whole) * s->zeta < 1e-10)) {
-        return halves;
-    }
-    return simpson(s, from, middle, left, depth + 1) + simpson(s, middle, to, right, depth + 1);
-}
-
-/* The share of a lobe, or the irradiance over pi. */
-static double integral(const scene *s) {
-    const double end = s->zeta > 0.5 ? acos(1 - 1 / s->zeta) : M_PI;
-    double ends[4] = {0, fmin(end, fabs(s->middle - s->radius)),
-                      fmin(end, fmin(s->middle + s->radius, 2 * M_PI - s->middle - s->radius)),
-                      end};
-    double total = 0;
-    for (int i = 0; i < 3; ++i) {
-        const double at[3] = {integrand(s, ends[i]), integrand(s, (ends[i] + ends[i + 1]) / 2),
-                              integrand(s, ends[i + 1])};
-        total += ends[i + 1] > ends[i] ? simpson(s, ends[i], ends[i + 1], at, 0) : 0;
-    }
-    return total * s->zeta * (s->order + 1) / (2 * M_PI);
-}
-
-static double angle_between(const vec a, const vec b) {
-    vec c;
-    cross(a, b, c);
-    return atan2(sqrt(dot(c, c)), dot(a, b));
-}
 
 /* A point as the kernels get it. */
 typedef struct place {
     float normal[3], position[3], w, axis[3];
 } place;
 
+/* diffuse, and specular of lobe 0: shares of the hemisphere's and of the whole lobe's light. */
 static void reference(const burnish_kernels_polygon *light, const place *at, double out[2]) {
-    vec middle, normal, axis, n_side, d_side, both;
-    scene s = {.order = 1, .zeta = 1};
+    const burnish_kernels_lobe *lobe = &light->lobes[0];
+    const burnish_theory_powers cosine = burnish_theory_powers_of_order(1, 1),
+                                powers =
+                                    burnish_theory_powers_of_order(lobe->order, (double)lobe->zeta);
+    vec middle, normal, axis;
     for (int k = 0; k < 3; ++k) {
         const double p = light->is_distant ? 0 : (double)at->position[k] / (double)at->w;
         middle[k] = (double)light->vertices[0][k] - p;
         normal[k] = (double)at->normal[k];
         axis[k] = (double)at->axis[k];
     }
-    s.radius = asin((double)light->radius / sqrt(dot(middle, middle)));
-    s.middle = angle_between(normal, middle);
-    out[0] = integral(&s);
-    s.zeta = (double)light->lobes[0].zeta;
-    s.order = light->lobes[0].order;
-    s.middle = angle_between(axis, middle);
-    s.normal = angle_between(axis, normal);
-    cross(axis, middle, d_side);
-    cross(axis, normal, n_side);
-    cross(d_side, n_side, both);
-    s.turn = atan2(dot(both, axis) / sqrt(dot(axis, axis)), dot(d_side, n_side));
-    out[1] = integral(&s);
+    const double angle = asin((double)light->radius / sqrt(dot(middle, middle)));
+    out[0] = burnish_theory_cap(&cosine, normal, NULL, middle, angle) / M_PI;
+    out[1] = burnish_theory_cap(&powers, axis, normal, middle, angle) * powers.zeta *
+             (powers.degree + 1) / (2 * M_PI);
 }
 
 /* ---- Random lights and points ---- */
