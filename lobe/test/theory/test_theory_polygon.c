@@ -244,37 +244,6 @@ static void check_shapes(void) {
     }
 }
 
-/* Order 1 with zeta 1 is half the sum of each edge's angle times the cosine of its plane. */
-static void check_lambert(void) {
-    double corners[CORNERS_MAX][3], axis[3];
-    const int order = 1;
-    const double zeta = 1;
-    random_state = test_seed(4);
-    for (int i = 0, tried = 0; tried < 200; ++i) {
-        int count = random_polygon(corners);
-        random_direction(axis);
-        if (!is_ahead(axis, corners, count)) {
-            continue;
-        }
-        long double sum = 0;
-        for (int e = 0; e < count; ++e) {
-            long double a[3], b[3], side = 0, sine = 0, cosine = 0;
-            unit(corners[(e + 1) % count], a);
-            unit(corners[e], b);
-            for (int j = 0; j < 3; ++j) {
-                int k = (j + 1) % 3, l = (j + 2) % 3;
-                long double normal = a[k] * b[l] - a[l] * b[k];
-                side += normal * axis[j];
-                sine += normal * normal;
-                cosine += a[j] * b[j];
-            }
-            sum += side / sqrtl(sine) * atan2l(sqrtl(sine), cosine) / 2;
-        }
-        NEAR(light(order, zeta, axis, corners, count), (double)sum, whole(1, 1));
-        ++tried;
-    }
-}
-
 /* ---- Identities, at every axis ---- */
 
 static void rotate(double (*vectors)[3], int count, double angle) {
@@ -429,7 +398,6 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(check_quadrature());
     RUN(check_shapes());
-    RUN(check_lambert());
     RUN(check_identities());
     RUN(check_rules());
     RUN(check_polynomials());
