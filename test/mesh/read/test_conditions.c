@@ -560,19 +560,6 @@ static void test_shapes(void) {
     free(in.file.bytes);
 }
 
-/* The number of triangles is limited whatever the way. */
-static void test_limit(void) {
-    for (int i = 0; i < WRITERS; ++i) {
-        burnish_load_options options = burnish_load_options_default();
-        file_bytes file = {0};
-        options.max_triangles = 90;
-        writers[i].write(&file, &(sheet){.side = SMALL, .newline = "\n"});
-        CHECK1(run_reader(writers[i].format, file.bytes, file.size, &options, open_library) ==
-               BURNISH_STATUS_LIMIT);
-        free(file.bytes);
-    }
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     snprintf(path, sizeof path, TEST_BINARY_DIR "/conditions-%d.x", (int)getpid());
@@ -584,6 +571,5 @@ int main(int count, char **arguments) {
     RUN(test_binary_ply());
     RUN(test_binary_stl());
     RUN(test_shapes());
-    RUN(test_limit());
     return test_end("conditions");
 }
