@@ -37,7 +37,6 @@ static double round_seconds = 1e-3;
 static _Alignas(64) float cosines[POINTS], lit[POINTS], values[POINTS];
 static _Alignas(64) float normals[3][POINTS], positions[3][POINTS];
 static _Alignas(64) uint8_t rgba[4 * POINTS];
-static burnish_bench_scalar_lobe scalar_lobe;
 
 static double now(void) {
     struct timespec time;
@@ -113,11 +112,11 @@ static void run_area(const row *at) {
 }
 
 static void run_through(const row *at) {
-    (void)at->scalar->through(&scalar_lobe, POINTS, cosines, values);
+    (void)at->scalar->through(EXPONENT, POINTS, cosines, values);
 }
 
 static void run_chain(const row *at) {
-    (void)at->scalar->chain(&scalar_lobe, POINTS, lit, values);
+    (void)at->scalar->chain(EXPONENT, POINTS, lit, values);
 }
 
 /* ---- Tables ---- */
@@ -267,8 +266,8 @@ static void time_area_lights(const burnish_kernels *kernels, const char *title, 
 }
 
 /* The loop alone, the second row, is subtracted from latencies; throughputs hide it. */
-static void time_scalars(const char *title, const char *over, const burnish_bench_scalar *list,
-                         int is_chain, double hertz) {
+static void time_scalars(const char *title, int is_chain, double hertz) {
+    const burnish_bench_scalar *list = burnish_bench_paper;
     row rows[ROWS_MAX] = {{0}};
     int count = 0;
     for (; list[count].label; ++count) {
@@ -279,11 +278,11 @@ static void time_scalars(const char *title, const char *over, const burnish_benc
     take_turns(rows, count);
     const double loop = is_chain ? median(&rows[1], NULL) : 0;
     const double first = median(&rows[0], NULL) - loop;
-    printf("  %-52s %9s %9s %9s\n", title, "ns", "cycles", over);
+    printf("  %-52s %9s %9s %9s\n", title, "ns", "cycles", "Schlick /");
     for (int i = 0; i < count; ++i) {
         const double time = median(&rows[i], NULL) - (i == 1 ? 0 : loop);
         printf("    %-50s %9.3f %9.2f %9.2f\n", rows[i].label, time, time * hertz * 1e-9,
-               *over == 'x' ? time / first : first / time);
+               first / time);
     }
 }
 
@@ -309,19 +308,9 @@ int main(int count, char **arguments) {
             time_area_lights(kernels, "area lights, diffuse", 1);
         }
     }
-    (void)burnish_lobe_create(&scalar_lobe.family, BURNISH_FIT_ENERGY, 2, EXPONENT);
-    for (int i = 0; i < 4; ++i) {
-        (void)burnish_composite_create(&scalar_lobe.composite[i], BURNISH_COMPOSITE_MINIMAX, i + 3,
-                                       EXPONENT);
-    }
-    scalar_lobe.exponent = EXPONENT;
-    scalar_lobe.whole_exponent = EXPONENT;
-    scalar_lobe.offset = 1.0f - scalar_lobe.family.zeta;
     const double hertz = counter_hertz();
     printf("\nscalar code, one value at a time\n");
-    time_scalars("latency", "x lobe", burnish_bench_scalars, 1, hertz);
-    time_scalars("throughput", "x lobe", burnish_bench_scalars, 0, hertz);
-    time_scalars("the paper's forms: latency", "Schlick /", burnish_bench_paper, 1, hertz);
-    time_scalars("the paper's forms: throughput", "Schlick /", burnish_bench_paper, 0, hertz);
+    time_scalars("the paper's forms: latency", 1, hertz);
+    time_scalars("the paper's forms: throughput", 0, hertz);
     return EXIT_SUCCESS;
 }
