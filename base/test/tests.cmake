@@ -1,6 +1,6 @@
 # Every test has labels.
 #   unit cli         need nothing but the packages of the groups build and test: `make test`
-#   figures shaders view python hardware firmware cross bits importers scale
+#   figures shaders view python hardware firmware cross bits importers
 #                    need more packages, and are skipped without them: `make test-all` runs these too
 #   job              a job of scripts/job in its brief form; the preset everything has them
 # These say which sanitizers a test is useful under:
