@@ -1,5 +1,5 @@
-/* Coverage is exact: samples on shared edges belong to one triangle, clipped or not; tile lists
- * miss nothing and depend neither on threads nor on the memory budget. */
+/* Coverage is exact: samples on shared edges belong to one triangle, clipped or not. Tile lists are
+ * those of compare_scene.h, of any number of threads and budget of memory. */
 #include <math.h>
 #include <stdint.h>
 
@@ -153,84 +153,6 @@ static void check_box_from_inside(void) {
     }
 }
 
-/* Random triangles over several tiles: lists made with any threads and budget show what drawing
- * every triangle into every tile shows. */
-static void check_bins(void) {
-    static test_mesh mesh;
-    static const int THREADS[] = {1, 2, 7};
-    static const size_t BUDGETS[] = {1, 200, 1u << 25};
-    uint64_t state = test_seed(7);
-    mesh.vertex_count = mesh.triangle_count = 0;
-    double x = 0, y = 0;
-    for (int i = 0; i < 300; ++i) {
-        if (i / 32 % 2 || i % 8 == 0) { /* in parts of the mesh, neighbours lie together */
-            x = (test_uniform(&state, 0, 1) - 0.5) * 400;
-            y = (test_uniform(&state, 0, 1) - 0.5) * 300;
-        }
-        double reach = i % 10 ? 30 : 400;
-        for (int k = 0; k < 3; ++k) {
-            float *p = mesh.positions + 3 * mesh.vertex_count++;
-            p[0] = (float)(x + (test_uniform(&state, 0, 1) - 0.5) * reach);
-            p[1] = (float)(y + (test_uniform(&state, 0, 1) - 0.5) * reach);
-            p[2] = (float)((test_uniform(&state, 0, 1) - 0.5) * 100);
-        }
-        add_triangle(&mesh, 3 * (size_t)i, 3 * (size_t)i + 1, 3 * (size_t)i + 2);
-    }
-    burnish_raster_view view = parallel_view(300, 200, 4);
-    burnish_geometry geometry = {0};
-    const burnish_raster_ops *ops[2] = {
-        burnish_raster_ops_for(BURNISH_ISA_SCALAR),
-        burnish_raster_ops_for(burnish_isa_best(burnish_isa_available()))};
-    const burnish_triangles triangles = triangles_of(&mesh);
-    CHECK1(burnish_geometry_update(&geometry, ops[0], &view, &triangles, NULL, NULL) ==
-           BURNISH_STATUS_OK);
-    uint32_t all[MAX_TRIANGLES];
-    size_t i = 0;
-    for (int back = 0; back < 2; ++back) { /* fronts first, as the lists have them */
-        for (uint32_t k = 0; k < reference_primitive_count(&geometry); ++k) {
-            if (reference_side(&geometry, k) == back) {
-                all[i++] = k;
-            }
-        }
-    }
-    reference_tile tile, expected;
-    reference_tile_create(&tile, 4, NULL);
-    reference_tile_create(&expected, 4, NULL);
-    for (int run = 0; run < 9; ++run) {
-        burnish_tasks tasks, *pool = &tasks;
-        burnish_tasks_begin(&tasks, NULL, THREADS[run % 3]);
-        burnish_bins bins = {0};
-        burnish_bins_begin(&bins, NULL);
-        bins.entry_budget = BUDGETS[run / 3];
-        int tiles = 0, bands = 0, wrong = 0;
-        do {
-            CHECK(burnish_bin_tiles(&bins, ops[run % 2], &geometry, &view, pool, NULL) ==
-                      BURNISH_STATUS_OK,
-                  "bins");
-            ++bands;
-            for (int row = bins.first_row; row < bins.end_row; ++row) {
-                for (int column = 0; column < bins.columns; ++column, ++tiles) {
-                    reference_draw_indices(&expected, &view, &geometry, column, row, all,
-                                           geometry.triangle_count);
-                    if (!reference_draw_tile(&tile, &view, &geometry, &bins, column, row)) {
-                        memset(tile.triangles, 0xff, sizeof(uint32_t) * BURNISH_TILE_PIXELS * 4);
-                    }
-                    wrong += memcmp(tile.triangles, expected.triangles,
-                                    sizeof(uint32_t) * BURNISH_TILE_PIXELS * 4) != 0;
-                }
-            }
-        } while (bins.end_row < bins.rows);
-        CHECK(tiles == 5 * 4, "tiles %d", tiles);
-        CHECK(bands == (run < 3 ? 4 : run < 6 ? bands : 1) && bands >= 1, "bands %d", bands);
-        CHECK(wrong == 0, "%d tiles differ with %d threads, budget %zu", wrong, THREADS[run % 3],
-              BUDGETS[run / 3]);
-        burnish_bins_destroy(&bins);
-    }
-    reference_tile_destroy(&tile);
-    reference_tile_destroy(&expected);
-    burnish_geometry_destroy(&geometry);
-}
-
 static void check_rounding(void) {
     CHECK(burnish_to_fixed(0.001953125f) == 0, "half a step goes to even: 0");
     CHECK(burnish_to_fixed(0.005859375f) == 2, "one and a half steps go to 2");
@@ -362,7 +284,6 @@ int main(int count, char **arguments) {
     RUN(check_rounding());
     RUN(check_plane());
     RUN(check_box_from_inside());
-    RUN(check_bins());
     RUN(check_marks());
     RUN(check_hiz_at_the_edge());
     RUN(check_clip_bound());

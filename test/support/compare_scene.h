@@ -352,9 +352,13 @@ static inline void compare_scene(const random_scene *scene, const burnish_raster
         fast.primitives.capacity =
             least < fast.primitives.capacity ? least : fast.primitives.capacity;
     }
+    static const size_t budgets[] = {1, 200, (size_t)1 << 25}; /* lists of few rows, or of all */
+    burnish_tasks tasks;
+    burnish_tasks_begin(&tasks, NULL, 1 + (int)(test_random32(state) % 3));
     burnish_bins_begin(&bins, NULL);
+    bins.entry_budget = budgets[test_random32(state) % 3];
     do {
-        burnish_bin_tiles(&bins, ops, &geometry, view, NULL, NULL);
+        CHECK1(burnish_bin_tiles(&bins, ops, &geometry, view, &tasks, NULL) == BURNISH_STATUS_OK);
         for (int row = bins.first_row; row < bins.end_row; ++row) {
             for (int column = 0; column < bins.columns; ++column) {
                 if (wanted && !wanted[row * bins.columns + column]) {

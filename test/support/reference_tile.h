@@ -334,9 +334,9 @@ static size_t reference_read_lists(const burnish_bins *bins, int column, int row
 }
 
 /* The same with the triangles of the tile's lists. */
-static int reference_draw_tile(reference_tile *tile, const burnish_raster_view *view,
-                               const burnish_geometry *geometry, const burnish_bins *bins,
-                               int column, int row) {
+static inline int reference_draw_tile(reference_tile *tile, const burnish_raster_view *view,
+                                      const burnish_geometry *geometry, const burnish_bins *bins,
+                                      int column, int row) {
     uint32_t *indices = malloc((reference_primitive_count(geometry) + 1) * sizeof *indices);
     const size_t count = reference_read_lists(bins, column, row, indices);
     const int drawn = reference_draw_indices(tile, view, geometry, column, row, indices, count);
