@@ -1,4 +1,4 @@
-// A frame's points, shaded as the CPU's kernels do: Blinn, a near viewer, distant lights.
+// Points, shaded as the CPU's kernels do: Blinn, a near viewer, distant lights.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define BURNISH_EXACT
