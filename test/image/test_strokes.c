@@ -1,5 +1,5 @@
-/* Strokes: coverage against distances in double precision, ink against the area of lines, every
- * format, threads, memory that runs out. Outlines: coverage against areas. */
+/* Strokes: coverage against distances in double precision, every format,
+ * threads, memory that runs out. Outlines: coverage against areas. */
 #include <math.h>
 
 #include "burnish/sheet.h"
@@ -66,50 +66,6 @@ static void test_coverage(float reach) {
                   (double)reach, x, y, got, expected);
         }
     }
-}
-
-/* The ink of a line is length times width, and that of its two round ends a disc's, at any angle.
- */
-static void test_area(void) {
-    enum { SIZE = 128 };
-    static float light[SIZE * SIZE * 4];
-    const burnish_pixels pixels = floats_of(light, SIZE, SIZE);
-    for (int width = 1; width <= 24; width += width < 8 ? 1 : 8) {
-        for (int angle = 0; angle < 180; angle += 13) {
-            const double w = width / 4.0, turn = angle * 3.14159265358979 / 180, half = 45;
-            const float dx = (float)(half * cos(turn)), dy = (float)(half * sin(turn));
-            const burnish_stroke stroke = {64.2f - dx, 63.7f - dy, 64.2f + dx, 63.7f + dy,
-                                           (float)(w / 2)};
-            memset(light, 0, sizeof light);
-            draw(&pixels, &stroke, 1, 1);
-            double sum = 0;
-            for (int i = 0; i < SIZE * SIZE; ++i) {
-                sum += (double)light[4 * i + 3];
-            }
-            const double body = 2 * half * w;
-            CHECK(sum > body * 0.985 && sum < body * 1.015 + 3.1416 * (w + 1) * (w + 1) / 4,
-                  "width %g, angle %d: ink %g, expected %g and ends", w, angle, sum, body);
-        }
-    }
-}
-
-/* Lines that cross, meet or are drawn twice are no darker than one. */
-static void test_joints(void) {
-    static float once[WIDTH * HEIGHT * 4], twice[WIDTH * HEIGHT * 4];
-    const burnish_pixels a = floats_of(once, WIDTH, HEIGHT), b = floats_of(twice, WIDTH, HEIGHT);
-    const burnish_stroke whole = {5.25f, 8, 50.25f, 8, 0.6f};
-    const burnish_stroke parts[] = {{5.25f, 8, 27, 8, 0.6f}, {50.25f, 8, 27, 8, 0.6f}, whole};
-    memset(once, 0, sizeof once);
-    memset(twice, 0, sizeof twice);
-    draw(&a, &whole, 1, 0.5f);
-    draw(&b, parts, 3, 0.5f);
-    float most = 0;
-    for (int i = 0; i < WIDTH * HEIGHT; ++i) {
-        CHECK(fabsf(once[4 * i + 3] - twice[4 * i + 3]) < 1e-6f, "pixel %d: %g and %g", i,
-              (double)once[4 * i + 3], (double)twice[4 * i + 3]);
-        most = once[4 * i + 3] > most ? once[4 * i + 3] : most;
-    }
-    CHECK(most > 0.29f && most <= 0.5f, "opacity bounds coverage: %g", (double)most);
 }
 
 /* Bytes are the floats' light over the same ground, BGRA is RGBA turned round, what lies between
@@ -404,8 +360,6 @@ int main(int count, char **arguments) {
     state = test_seed(1);
     RUN(test_coverage(100));
     RUN(test_coverage(1e6f));
-    RUN(test_area());
-    RUN(test_joints());
     RUN(test_formats());
     RUN(test_extremes());
     RUN(test_bands());
