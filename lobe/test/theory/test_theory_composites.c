@@ -1,6 +1,5 @@
-/* burnish/theory.h: composite lobes against their definition in long double, and the constants of
- * the limit n -> infinity: equal ripple, and no better ones near them. test_theory_energy,
- * _errors and _values have composites among all lobes. */
+/* burnish/theory.h: composite lobes against their definition in long double.
+ * test_theory_energy, _errors and _values have composites among all lobes. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -9,7 +8,6 @@
 
 typedef long double real;
 
-static const double HALF_PI = 1.57079632679489661923;
 static uint64_t random_state;
 
 /* The definition. */
@@ -92,68 +90,6 @@ static void check_bad_input(void) {
     CHECK1(isnan(burnish_theory_model_zonal(&model, 3)));
 }
 
-/* ---- The limit n -> infinity ---- */
-
-/* zeta/n and b of the least error against e^-x, by Newton's method, as in docs/theory.md. */
-static const struct limit {
-    int steps, extremes;
-    double zeta, b[4], error;
-} LIMITS[] = {
-    {0, 2, 0.355859264140901, {0}, 0.0699443102296388},
-    {1, 2, 0.240635655155523, {0.26877327518418}, 0.0293732302470203},
-    {2, 2, 0.167233070010354, {0.354818158514469, 0.492170304995857}, 0.00517263794780708},
-    {3,
-     4,
-     0.108093534048636,
-     {0.413317305974773, 1.54784362846574, 0.060389895450679},
-     0.000135170648759215},
-    {4,
-     6,
-     0.0699998759304894,
-     {0.974004058158566, 2.89367778491539, 0.124471545365681, 0.00339013332163065},
-     9.9979368449544e-7},
-};
-
-/* The largest error against e^-x; counts local extremes of nearly that size. */
-static real limit_error(const struct limit *l, const double *b, real zeta, int *extremes) {
-    enum { POINTS = 4000 };
-    static real e[POINTS + 1];
-    real most = 0;
-    for (int i = 0; i <= POINTS; ++i) {
-        real x = 20 * powl((real)i / POINTS, 2);
-        e[i] = fabsl(composite(zeta, b, l->steps, x) - expl(-x));
-        most = fmaxl(most, e[i]);
-    }
-    for (int i = 1; i < POINTS && extremes; ++i) {
-        *extremes += e[i] >= e[i - 1] && e[i] > e[i + 1] && e[i] > 0.999L * most;
-    }
-    return most;
-}
-
-static void check_limits(void) {
-    for (size_t k = 0; k < sizeof LIMITS / sizeof *LIMITS; ++k) {
-        const struct limit *l = &LIMITS[k];
-        int extremes = 0;
-        real error = limit_error(l, l->b, l->zeta, &extremes);
-        CHECK(fabsl(error / l->error - 1) < 3e-5L && extremes == l->extremes, "%d: %.9Lg, %d",
-              l->steps + 2, error, extremes);
-        for (int i = 0; i < 600; ++i) { /* none near them is better */
-            double b[4] = {0}, size = pow(10, test_uniform(&random_state, -5, -1));
-            for (int j = 0; j < l->steps; ++j) {
-                b[j] = l->b[j] * (1 + size * test_uniform(&random_state, -1, 1));
-            }
-            real zeta = l->zeta * (1 + 0.1L * size * test_uniform(&random_state, -1, 1));
-            CHECK1(limit_error(l, b, zeta, NULL) > l->error * (1 - 3e-5L));
-        }
-        if (k > 0) { /* faster than geometrically */
-            CHECK1(k < 2 || l->error / l[-1].error < 0.5 * l[-1].error / l[-2].error);
-        }
-        burnish_theory_model model;
-        CHECK1(!burnish_theory_composite_create(&model, 65536, 65536 * l->zeta, l->b, l->steps));
-        CHECK1(fabs(burnish_theory_maximum_error(&model, HALF_PI) - l->error) < 5e-6);
-    }
-}
-
 static void check_models(void) {
     for (int i = 0; i < 60; ++i) {
         burnish_theory_model model = random_model(i % 4 ? 1 : 0.3);
@@ -167,6 +103,5 @@ int main(int count, char **arguments) {
     random_state = test_seed(0);
     RUN(check_models());
     RUN(check_bad_input());
-    RUN(check_limits());
     return test_end("theory_composites");
 }
