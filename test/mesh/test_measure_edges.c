@@ -37,33 +37,6 @@ static void test_touching(void) {
     check_center("a cavity", &f, 126.5 / 63, 126.5 / 63, 126.5 / 63, 1e-15);
 }
 
-/* Three sheets at one edge, and a wall that divides a box in two. */
-static void test_junctions(void) {
-    shape s = {.point_count = 0};
-    for (int i = 0; i < 4; ++i) { /* the common edge is 0, 1 */
-        static const double ends[4][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}};
-        add_point(&s, ends[i][0], ends[i][1], 0);
-        add_point(&s, ends[i][0], ends[i][1], 1);
-    }
-    for (uint32_t i = 1; i < 4; ++i) {
-        add_quad(&s, 0, 2 * i, 2 * i + 1, 1);
-    }
-    measure_as("a T", &s,
-               (counted){.triangles = 6,
-                         .vertices = 8,
-                         .edges = 13,
-                         .open = 9,
-                         .non_manifold = 1,
-                         .shells = 1,
-                         .consistent = 1});
-    s = box_at(0, 0, 0, 1, 1, 1);
-    add_quad(&s, 0, 1, 7, 6); /* from the edge at the lower front to that at the upper back */
-    burnish_mesh_facts f = measure(&s);
-    CHECK(f.non_manifold_edge_count == 4 && f.open_edge_count == 0 && !f.is_closed && !f.is_solid,
-          "a wall: %zu non-manifold, %zu open, closed %d", f.non_manifold_edge_count,
-          f.open_edge_count, f.is_closed);
-}
-
 static void test_moebius(void) {
     enum { STEPS = 12 };
     shape s = {.point_count = 0};
@@ -309,7 +282,6 @@ static void test_one_edge(void) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_touching());
-    RUN(test_junctions());
     RUN(test_moebius());
     RUN(test_degenerate());
     RUN(test_duplicates());
