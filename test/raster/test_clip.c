@@ -229,52 +229,6 @@ static int has_normal(const float n[3], const double wanted[3]) {
            fabs(n[2] - wanted[2]) < 1e-5;
 }
 
-/* Counts pixels that show a normal; fails if their depth is wrong. */
-static int count_cap(const capped_picture *picture, const double normal[3], double depth) {
-    int count = 0;
-    for (int i = 0; i < SIZE * SIZE; ++i) {
-        if (has_normal(picture->normals[i / SIZE][i % SIZE], normal)) {
-            const double got = (double)picture->depth[i / SIZE][i % SIZE];
-            ++count;
-            CHECK(fabs(got - depth) < 1e-4, "pixel %d,%d: %g, not %g", i % SIZE, i / SIZE, got,
-                  depth);
-        }
-    }
-    return count;
-}
-
-/* A cut ball, from above, shows a disc; the ring shows two. */
-static void test_discs(int samples) {
-    static capped_picture picture;
-    const double unit = 2.4 / SIZE; /* of a pixel */
-    burnish_mesh *ball = load_measured(":sphere", 32);
-    burnish_render_options options = options_for((double[3]){0, 0, -1}, 2.4, samples);
-    cut_mesh(ball, 0, 0, 1, 0.6);
-    CHECK1(burnish_mesh_get_view(ball)->inside == BURNISH_INSIDE_BACK);
-    draw(ball, &options, &picture);
-    const double disc = TEST_PI * 0.64 / (unit * unit);
-    int count = count_cap(&picture, (double[3]){0, 0, 1}, 9.4);
-    CHECK(fabs(count - disc) < 0.02 * disc, "%d pixels, not %g", count, disc);
-    options = options_for((double[3]){0, 0, 1}, 2.4, samples); /* from below there is none */
-    draw(ball, &options, &picture);
-    CHECK1(count_cap(&picture, (double[3]){0, 0, 1}, 9.4) == 0);
-    burnish_mesh_destroy(ball);
-
-    burnish_mesh *ring = load_measured(":torus", 32);
-    const burnish_mesh_view *view = burnish_mesh_get_view(ring);
-    const double outer = (double)view->bounds_max[0];
-    const double minor = (double)(view->bounds_max[1] < view->bounds_max[2] ? view->bounds_max[1]
-                                                                            : view->bounds_max[2]);
-    const double height = 2.4 * outer, pixel = height / SIZE;
-    cut_mesh(ring, 1, 0, 0, 0);
-    options = options_for((double[3]){-1, 0, 0}, height, samples);
-    draw(ring, &options, &picture);
-    count = count_cap(&picture, (double[3]){1, 0, 0}, 10);
-    const double discs = 2 * TEST_PI * minor * minor / (pixel * pixel);
-    CHECK(fabs(count - discs) < 0.02 * discs, "%d pixels, not %g", count, discs);
-    burnish_mesh_destroy(ring);
-}
-
 /* Three caps meet in a corner of a box. Each pixel of a cap is in the plane of the cap, also in
  * perspective. Culling leaves caps, and an inside-out box looks the same. */
 static void test_corner(int samples, int is_parallel) {
@@ -400,8 +354,6 @@ int main(int count, char **arguments) {
     RUN(test_halves());
     RUN(test_edges());
     RUN(test_attributes());
-    RUN(test_discs(1));
-    RUN(test_discs(4));
     RUN(test_corner(1, 0));
     RUN(test_corner(4, 1));
     RUN(test_corner(16, 0));
