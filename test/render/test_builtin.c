@@ -47,12 +47,10 @@ static void check_normals(const burnish_mesh_view *mesh, const char *name, doubl
 }
 
 static void test_sphere(void) {
-    double error[2];
     for (int k = 0; k < 2; ++k) {
         int n = 8 << k;
         burnish_mesh *mesh = load_measured(":sphere", n);
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
-        const burnish_mesh_facts *facts = burnish_mesh_get_facts(mesh);
         check_closed(mesh, "sphere", 2);
         CHECK(view->triangle_count == 48u * n * n, "%zu", view->triangle_count);
         size_t equator = 0;
@@ -68,31 +66,21 @@ static void test_sphere(void) {
             equator += p[1] == 0;
         }
         CHECK(equator == 8u * n, "%zu vertices around", equator);
-        error[k] = 4 * PI / 3 - facts->volume;
-        CHECK(error[k] > 0 && error[k] < 1.6 / (n * n), "volume %g", facts->volume);
-        CHECK(fabs(facts->area - 4 * PI) < 1.7 / (n * n), "area %g", facts->area);
         check_normals(view, "sphere", 0.99);
         for (int axis = 0; axis < 3; ++axis) {
             CHECK1(view->bounds_min[axis] == -1 && view->bounds_max[axis] == 1);
         }
         burnish_mesh_destroy(mesh);
     }
-    CHECK(fabs(error[0] / error[1] - 4) < 0.1, "second order: %g", error[0] / error[1]);
 }
 
 static void test_torus(void) {
-    double error[2];
     for (int k = 0; k < 2; ++k) {
         int n = 8 << k;
         burnish_mesh *mesh = load_measured(":torus", n);
         const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
-        const burnish_mesh_facts *facts = burnish_mesh_get_facts(mesh);
-        const double exact = 2 * PI * PI * 0.4 * 0.4;
         check_closed(mesh, "torus", 0);
         CHECK1(view->vertex_count == 32u * n * n);
-        error[k] = exact - facts->volume;
-        CHECK(error[k] > 0 && error[k] < 3.2 / (n * n), "volume %g of %g", facts->volume, exact);
-        CHECK(fabs(facts->area - 4 * PI * PI * 0.4) < 8.0 / (n * n), "area %g", facts->area);
         for (size_t i = 0; i < view->vertex_count; ++i) {
             const float *p = view->positions + 3 * i, *normal = view->normals + 3 * i;
             double ring = hypot((double)p[0], (double)p[2]), y = (double)p[1];
@@ -103,23 +91,6 @@ static void test_torus(void) {
         check_normals(view, "torus", 0.98);
         burnish_mesh_destroy(mesh);
     }
-    CHECK(fabs(error[0] / error[1] - 4) < 0.1, "second order: %g", error[0] / error[1]);
-}
-
-static void test_knot(void) {
-    burnish_mesh *mesh = load_measured(":knot", 16);
-    const burnish_mesh_facts *facts = burnish_mesh_get_facts(mesh);
-    check_closed(mesh, "knot", 0);
-    check_normals(burnish_mesh_get_view(mesh), "knot", 0.95);
-    /* A tube's volume is its section times the length of the knot (Pappus). */
-    double length = 0;
-    for (int i = 0; i < 100000; ++i) {
-        double a = 2 * PI * (i + 0.5) / 100000, r = 2 + cos(3 * a);
-        length += 2 * PI / 100000 * sqrt(9 + 4 * r * r);
-    }
-    CHECK(fabs(facts->volume / (PI * 0.36 * length) - 1) < 0.01, "%g", facts->volume);
-    CHECK(fabs(facts->area / (2 * PI * 0.6 * length) - 1) < 0.01, "%g", facts->area);
-    burnish_mesh_destroy(mesh);
 }
 
 /* The data set has six open borders: the rim's inner edge, the lid's lower edge (both circles of
@@ -198,7 +169,6 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_sphere());
     RUN(test_torus());
-    RUN(test_knot());
     RUN(test_teapot());
     RUN(test_arguments());
     return test_end("builtin");
