@@ -1,6 +1,5 @@
 /* Small inputs that expand: one rule for all readers rejects them before memory is allocated, for
  * any number of threads. Plain files are drawn. */
-#include "image/decode/decode.h"
 #include "mesh/read/io/budget.h"
 #include "mesh/read/read.h"
 #include "sheet.h"
@@ -249,44 +248,6 @@ static void test_crowded(void) {
     free(many.bytes);
 }
 
-/* ---- Pictures ---- */
-
-/* A PNG of 2^31 - 1 columns is rejected before a row is allocated. */
-static void test_sides(void) {
-    static const uint32_t sides[][2] = {
-        {0x7FFFFFFF, 1}, {1, 0x7FFFFFFF}, {16385, 1}, {400000000, 9}};
-    enum { SMALL = 1 << 16 };
-    for (size_t i = 0; i < sizeof sides / sizeof *sides; ++i) {
-        file_bytes png = {0};
-        add(&png, "\211PNG\r\n\032\n\0\0\0\rIHDR", 16);
-        add_bits(&png, sides[i][0], 4, 1);
-        add_bits(&png, sides[i][1], 4, 1);
-        add(&png, "\020\006\0\0\0....", 9); /* 16 bits, RGBA; sums come later */
-        add(&png, "\0\0\0\0IDAT....\0\0\0\0IEND....", 24);
-        used_bytes memory;
-        burnish_context *context = make_counted(&memory);
-        burnish_error error = {0};
-        burnish_memory from = burnish_memory_of(context, &error);
-        const burnish_encoded encoded = {.bytes = png.bytes,
-                                         .size = png.size,
-                                         .name = "x",
-                                         .max_side = 16384,
-                                         .max_pixels = 1 << 25};
-        burnish_image image;
-        char line[100];
-        const size_t before = memory.now;
-        memory.most = before;
-        CHECK(burnish_decode(&encoded, &from, &image) == BURNISH_STATUS_LIMIT, "%s", error.text);
-        snprintf(line, sizeof line, "x: %u x %u pixels; pictures of up to 16384 x 16384 are read",
-                 sides[i][0], sides[i][1]);
-        CHECK_TEXT(error.text, line);
-        CHECK(memory.now == before && memory.most - before < SMALL, "%zu bytes",
-              memory.most - before);
-        burnish_context_destroy(context);
-        free(png.bytes);
-    }
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_solids());
@@ -294,8 +255,5 @@ int main(int count, char **arguments) {
     RUN(test_self());
     RUN(test_keys());
     RUN(test_crowded());
-#if BURNISH_HAS_PNG
-    RUN(test_sides());
-#endif
     return test_end("budget");
 }
