@@ -370,32 +370,6 @@ static void test_stopped(int kind, int threads) {
 
 /* ---- The floating-point environment ---- */
 
-static void test_environment(int kind) {
-    const burnish_mesh_description arrays = kind_of_mesh(kind);
-    const burnish_framing framing = burnish_framing_default();
-    burnish_camera cameras[8];
-    burnish_mesh *meshes[8] = {NULL};
-    for (int mode = 0; mode < 8; ++mode) {
-        burnish_load_options options = burnish_load_options_default();
-        set_mode(mode);
-        const unsigned before = control_bits();
-        const burnish_status made = burnish_mesh_create(&arrays, &options, &meshes[mode], NULL);
-        const burnish_status framed =
-            burnish_camera_frame(meshes[mode], &framing, &cameras[mode], NULL);
-        const unsigned after = control_bits();
-        set_mode(0);
-        CHECK(made == BURNISH_STATUS_OK && framed == BURNISH_STATUS_OK, "mode %d", mode);
-        CHECK(before == after, "mode %d: the caller's is not put back", mode);
-        CHECK(meshes[0] && same_meshes(meshes[0], meshes[mode]), "%s",
-              "the caller's floating-point environment");
-        CHECK(memcmp(&cameras[0], &cameras[mode], sizeof *cameras) == 0, "mode %d: the camera",
-              mode);
-    }
-    for (int mode = 0; mode < 8; ++mode) {
-        burnish_mesh_destroy(meshes[mode]);
-    }
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     make_cone();
@@ -411,7 +385,5 @@ int main(int count, char **arguments) {
     RUN(test_stopped(1, 1));
     RUN(test_stopped(1, 3));
     RUN(test_stopped(2, 3));
-    RUN(test_environment(0));
-    RUN(test_environment(1));
     return test_end("mesh_arrays");
 }
