@@ -1,13 +1,10 @@
-/* Pictures in the caller's memory: every format and stride, the planes against what a plain
- * program finds. */
+/* Pictures in the caller's memory: every format and stride, the planes of a sphere. */
 #include <math.h>
 
 #include "core/srgb.h"
 #include "pictures.h"
-#include "raster/fragments.h"
-#include "raster/raster_view.h"
 
-enum { WIDTH = 131, HEIGHT = 77, PADDING = 20, GUARD = 64, MAX_PIXEL = 16 };
+enum { WIDTH = 131, HEIGHT = 77, PADDING = 20, GUARD = 64 };
 
 static const uint8_t GUARD_BYTE = 0x5a;
 
@@ -252,143 +249,6 @@ static void test_sphere(int samples, double orthographic_height) {
     burnish_mesh_destroy(mesh);
 }
 
-/* The depth of a triangle's plane at a point, and the least of the weights there times its area. */
-static double depth_of(const double c[3][3], double x, double y, double *least) {
-    const double area =
-        (c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) - (c[1][1] - c[0][1]) * (c[2][0] - c[0][0]);
-    double z = 0;
-    *least = 1e9;
-    for (int k = 0; k < 3; ++k) {
-        const double *a = c[(k + 1) % 3], *b = c[(k + 2) % 3];
-        const double weight = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area;
-        *least = fmin(*least, weight * fabs(area));
-        z += weight * c[k][2];
-    }
-    return z;
-}
-
-/* The nearest triangle at a point of the screen, the plain way. Triangles are in pixels, y down, z
- * toward the viewer. Returns -1 for none, -2 where it is too close to tell. */
-static int nearest_triangle(const double (*corners)[3][3], int count, double x, double y) {
-    int nearest = -1, unclear = 0;
-    double z = -1e9;
-    for (int i = 0; i < count; ++i) {
-        double least;
-        const double at = depth_of(corners[i], x, y, &least);
-        unclear |= fabs(least) < 2 || (least > 0 && fabs(at - z) < 0.01);
-        if (least > 0 && at > z) {
-            nearest = i;
-            z = at;
-        }
-    }
-    return unclear ? -2 : nearest;
-}
-
-/* What a pixel shows, by its samples: the triangle in most of them, of equals the one in the first.
- * Returns -2 where that is not clear. */
-static int expected_triangle(const double (*corners)[3][3], int count, int samples, int x, int y,
-                             double mean[2], int *covered) {
-    const int8_t(*offsets)[2] = burnish_sample_offsets(samples);
-    int shown[BURNISH_MAX_SAMPLES], best = -1, best_count = 0;
-    *covered = 0;
-    for (int s = 0; s < samples; ++s) {
-        shown[s] = nearest_triangle(corners, count, x + 0.5 + offsets[s][0] / 16.0,
-                                    y + 0.5 + offsets[s][1] / 16.0);
-        if (shown[s] == -2) {
-            return -2;
-        }
-        *covered += shown[s] >= 0;
-    }
-    for (int s = 0; s < samples; ++s) {
-        double sum[2] = {0, 0};
-        int same = 0;
-        for (int t = 0; t < samples && shown[s] >= 0; ++t) {
-            if (shown[t] == shown[s]) {
-                ++same;
-                sum[0] += offsets[t][0];
-                sum[1] += offsets[t][1];
-            }
-        }
-        if (same > best_count) {
-            best = shown[s];
-            best_count = same;
-            mean[0] = same == samples ? 0 : sum[0] / same / 16;
-            mean[1] = same == samples ? 0 : sum[1] / same / 16;
-        }
-    }
-    return best;
-}
-
-/* Random triangles in parallel projection, a unit per pixel, against the plain way. */
-static void test_plain_reference(int samples) {
-    enum { SIZE = 90, COUNT = 40 };
-    static float positions[9 * COUNT];
-    static uint32_t indices[3 * COUNT];
-    static double corners[COUNT][3][3];
-    uint64_t state = test_seed(7);
-    burnish_render_options options = front_options(SIZE, SIZE, SIZE);
-    planes p = make_planes(SIZE, SIZE, 1);
-    burnish_render_report report;
-    int clear = 0, wrong = 0, several = 0;
-    double worst = 0;
-    size_t covered_pixels = 0;
-    for (int i = 0; i < 9 * COUNT; ++i) {
-        const double limit = i % 3 == 2 ? 20 : 50;
-        positions[i] = (float)test_uniform(&state, -limit, limit);
-        indices[i / 3] = (uint32_t)(i / 3);
-    }
-    const burnish_mesh_description arrays =
-        describe_arrays(positions, NULL, NULL, 3 * COUNT, indices, COUNT);
-    burnish_mesh *mesh = create_mesh(&arrays, NULL);
-    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
-    for (int i = 0; i < COUNT; ++i) {
-        for (int k = 0; k < 3; ++k) {
-            const float *v = view->positions + 3 * view->indices[3 * i + k];
-            corners[i][k][0] = SIZE / 2.0 + (double)v[0];
-            corners[i][k][1] = SIZE / 2.0 - (double)v[1];
-            corners[i][k][2] = (double)v[2];
-        }
-    }
-    options.samples = samples;
-    options.camera.position[2] = 100;
-    options.transparent = 1;
-    draw_into(mesh, &options, &p.target, &report);
-    for (int y = 0; y < SIZE; ++y) {
-        for (int x = 0; x < SIZE; ++x) {
-            double mean[2] = {0, 0};
-            int covered;
-            const uint8_t coverage = row_at(&p.coverage, y)[x];
-            const int expected = expected_triangle((const double(*)[3][3])corners, COUNT, samples,
-                                                   x, y, mean, &covered);
-            covered_pixels += coverage > 0;
-            wrong += coverage != row_at(&p.pixels, y)[4 * x + 3];
-            wrong += (coverage > 0) != (triangle_at(&p, x, y) != BURNISH_TRIANGLE_NONE);
-            if (expected == -2) {
-                continue;
-            }
-            ++clear;
-            several += covered > 0 && covered < samples;
-            wrong += coverage != (255 * covered + samples / 2) / samples;
-            wrong += triangle_at(&p, x, y) !=
-                     (expected < 0 ? BURNISH_TRIANGLE_NONE : (uint32_t)expected);
-            if (expected >= 0) {
-                double least;
-                const double z = depth_of((const double(*)[3])corners[expected], x + 0.5 + mean[0],
-                                          y + 0.5 + mean[1], &least);
-                worst = fmax(worst, fabs((double)depth_at(&p, x, y) - (100 - z)));
-            }
-        }
-    }
-    CHECK(wrong == 0, "%d samples: %d pixels differ", samples, wrong);
-    CHECK(worst < 0.05, "%d samples: depth is off by %g", samples, worst);
-    CHECK(clear > SIZE * SIZE / 4 && (several > 20 || samples == 1),
-          "%d pixels are clear, %d partly covered", clear, several);
-    CHECK(covered_pixels == report.covered_pixels, "%zu pixels are covered, not %zu",
-          covered_pixels, report.covered_pixels);
-    free_planes(&p);
-    burnish_mesh_destroy(mesh);
-}
-
 /* ---- Arguments ---- */
 
 static void test_errors(void) {
@@ -445,10 +305,6 @@ int main(int count, char **arguments) {
     RUN(test_sphere(1, 0));
     RUN(test_sphere(8, 2.4));
     RUN(test_sphere(4, 0));
-    RUN(test_plain_reference(1));
-    RUN(test_plain_reference(4));
-    RUN(test_plain_reference(8));
-    RUN(test_plain_reference(16));
     RUN(test_errors());
     return test_end("target");
 }
