@@ -215,40 +215,12 @@ static void polygon(canvas *made, const int32_t (*points)[2], int count) {
     fill(made);
 }
 
-static double overlap(double a, double b, int pixel) {
-    return fmax(0, fmin(b, pixel + 1) - fmax(a, pixel));
-}
-
 static double total(const canvas *made) {
     double sum = 0;
     for (int i = 0; i < SIDE * SIDE; ++i) {
         sum += (double)made->values[i / SIDE][i % SIDE][3];
     }
     return sum;
-}
-
-/* Rectangles, also ones that leave the picture: exactly the product of two overlaps. */
-static void test_rectangles(void) {
-    static canvas made;
-    uint64_t random = test_seed(3);
-    for (int i = 0; i < 200; ++i) {
-        int32_t x[2], y[2];
-        for (int k = 0; k < 2; ++k) {
-            x[k] = (int32_t)test_uniform(&random, -20 * 256, 60 * 256);
-            y[k] = (int32_t)test_uniform(&random, -20 * 256, 60 * 256);
-        }
-        const int32_t points[4][2] = {{x[0], y[0]}, {x[1], y[0]}, {x[1], y[1]}, {x[0], y[1]}};
-        double worst = 0;
-        polygon(&made, points, 4);
-        const double left = fmin(x[0], x[1]) / 256, right = fmax(x[0], x[1]) / 256;
-        const double top = fmin(y[0], y[1]) / 256, bottom = fmax(y[0], y[1]) / 256;
-        for (int k = 0; k < SIDE * SIDE; ++k) {
-            const double expected = overlap(left, right, k % SIDE) * overlap(top, bottom, k / SIDE);
-            const double got = (double)made.values[k / SIDE][k % SIDE][3];
-            worst = fmax(worst, fabs(got - expected));
-        }
-        CHECK(worst < 1e-6, "rectangle %d: off by %g", i, worst);
-    }
 }
 
 /* Area of the triangle within the pixel: clipped by its four sides (Sutherland and Hodgman). */
@@ -364,7 +336,6 @@ int main(int count, char **arguments) {
     RUN(test_extremes());
     RUN(test_bands());
     RUN(test_refusals());
-    RUN(test_rectangles());
     RUN(test_triangles());
     RUN(test_curves());
     RUN(test_far());
