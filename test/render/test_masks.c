@@ -154,26 +154,6 @@ static void test_area(void) {
     }
 }
 
-/* Bars narrower than a pixel neither vanish nor grow together: `bar` of each 8 texels are there. */
-static void test_bars(void) {
-    static scene s;
-    for (int bar = 1; bar < 8; bar += 2) {
-        open_scene(&s, 4);
-        for (int i = 0; i < TEXELS * TEXELS; ++i) {
-            memset(s.texels + 4 * i, 255, 3);
-            s.texels[4 * i + 3] = i % 8 < bar ? 255 : 0;
-        }
-        for (double height = 2; height < 100; height *= 1.37) {
-            const double pixels = 2 / height * SIZE;
-            s.options.camera.orthographic_height = height;
-            draw(&s);
-            const double ratio = drawn_area(&s) / (bar / 8.0 * pixels * pixels);
-            CHECK(fabs(ratio - 1) < 0.12 + 0.6 / pixels, "bars of %d, card of %.1f pixels: %g", bar,
-                  pixels, ratio);
-        }
-    }
-}
-
 /* White over red: what the mask leaves of a pixel is red, near and far. */
 static void test_behind(void) {
     static scene s;
@@ -268,7 +248,6 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_edges());
     RUN(test_area());
-    RUN(test_bars());
     RUN(test_behind());
     RUN(test_wraps());
     RUN(test_cutoffs());
