@@ -88,37 +88,6 @@ static void check_monotone(const burnish_theory_model *model, const char *name) 
     CHECK1(burnish_theory_value_at_lambda(model, HUGE_VAL) == 0);
 }
 
-/* taylor <= power <= schlick, on every interval: an upper bound of one against a lower bound of the
- * other, which the ends give since all fall; intervals are split until the order is proven. */
-static int ordered(const burnish_theory_model *low, const burnish_theory_model *high, double a,
-                   double b, int depth) {
-    if (burnish_theory_value_at_lambda(low, a) <= burnish_theory_value_at_lambda(high, b) + 2e-6) {
-        return 1;
-    }
-    double middle = 0.5 * (a + b);
-    return depth > 0 && ordered(low, high, a, middle, depth - 1) &&
-           ordered(low, high, middle, b, depth - 1);
-}
-
-static void check_order(void) {
-    for (int i = 2; i < EXPONENT_COUNT; ++i) {
-        burnish_theory_model power, schlick, taylor;
-        CHECK1(!burnish_theory_model_create(
-            &power, &(burnish_lobe_spec){.kind = BURNISH_LOBE_POWER}, exponents[i]));
-        CHECK1(!burnish_theory_model_create(
-            &schlick, &(burnish_lobe_spec){.kind = BURNISH_LOBE_SCHLICK}, exponents[i]));
-        CHECK(ordered(&power, &schlick, 0, 1, 40), "power <= schlick, n=%g", exponents[i]);
-        CHECK(!ordered(&schlick, &power, 0, 1, 40), "schlick <= power, n=%g", exponents[i]);
-        for (int order = 2; order <= 32 && order <= exponents[i]; order *= 2) {
-            CHECK1(!burnish_theory_model_create(
-                &taylor, &(burnish_lobe_spec){.fit = BURNISH_FIT_TAYLOR, .order = order},
-                exponents[i]));
-            CHECK(ordered(&taylor, &power, 0, 1, 40), "taylor:%d <= power, n=%g", order,
-                  exponents[i]);
-        }
-    }
-}
-
 static void check_widths(const burnish_theory_model *model, const char *name) {
     double zero = burnish_theory_zero_angle(model);
     for (double bits = 1; bits <= 16; bits *= 2) {
@@ -261,7 +230,6 @@ int main(int count, char **arguments) {
     RUN(for_each_model(check_monotone));
     RUN(for_each_model(check_widths));
     RUN(check_slopes());
-    RUN(check_order());
     RUN(check_radii());
     RUN(check_curvature());
     RUN(check_words());
