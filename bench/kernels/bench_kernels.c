@@ -26,8 +26,6 @@ typedef struct row {
     burnish_lobe_spec lobe;
     burnish_kernels_shader *shader;
     const burnish_bench_scalar *scalar;
-    const burnish_kernels_polygon *area;
-    int is_diffuse;
     size_t repetitions;
     double nanoseconds[ROUNDS]; /* of one element */
 } row;
@@ -101,14 +99,6 @@ static void run_shade(const row *at) {
     const burnish_kernels_points points = {.normal = {normals[0], normals[1], normals[2]},
                                            .position = {positions[0], positions[1], positions[2]}};
     (void)burnish_kernels_shade_rgba8(at->kernels, at->shader, &points, POINTS, rgba, NULL);
-}
-
-static void run_area(const row *at) {
-    const burnish_kernels_points points = {.normal = {normals[0], normals[1], normals[2]},
-                                           .position = {positions[0], positions[1], positions[2]}};
-    const burnish_kernels_axes axes = {.axis = {positions[0], positions[1], positions[2]}};
-    float *const light[2] = {at->is_diffuse ? values : NULL, at->is_diffuse ? NULL : values};
-    (void)burnish_kernels_polygon_light(at->kernels, at->area, &points, &axes, POINTS, light, NULL);
 }
 
 static void run_through(const row *at) {
@@ -231,40 +221,6 @@ static void time_shading(const burnish_kernels *kernels, const char *title, int 
     print_table(title, rows, CONTENDER_COUNT + 1);
 }
 
-/* Lights of half a side or radius 0.4 at a distance of 1 to 2, with the lobes of GGX's alpha 0.3
- * (burnish-lobe choose --roughness=0.5477 --epsilon=0.02). */
-static void time_area_lights(const burnish_kernels *kernels, const char *title, int is_diffuse) {
-    static const char *const labels[] = {"a rectangle", "a disc, 16 corners", "a sphere", "a line"};
-    static const burnish_kernels_lobe lobes[] = {{.order = 4, .zeta = 3.43255f, .weight = 0.2605f},
-                                                 {.order = 2, .zeta = 1.92439f, .weight = 0.45f},
-                                                 {.order = 1, .zeta = 1.14623f, .weight = 0.2895f}};
-    static const int corners[] = {4, 16, 1, 2};
-    burnish_kernels_polygon areas[4];
-    row rows[ROWS_MAX] = {{0}};
-    for (int i = 0; i < 4; ++i) {
-        burnish_kernels_polygon *area = &areas[i];
-        *area = burnish_kernels_polygon_default();
-        area->is_two_sided = 1;
-        area->vertex_count = corners[i];
-        area->radius = corners[i] == 1 ? 0.4f : 0.05f;
-        for (int k = 0; k < corners[i]; ++k) {
-            const double turn = 6.283185307179586 * (k + 0.5) / corners[i];
-            const double size = corners[i] == 1 ? 0 : corners[i] == 4 ? 0.4 * sqrt(2) : 0.4;
-            area->vertices[k][0] = (float)(size * sin(turn));
-            area->vertices[k][1] = (float)(size * cos(turn));
-            area->vertices[k][2] = 2;
-        }
-        area->lobe_count = 3;
-        memcpy(area->lobes, lobes, sizeof lobes);
-        rows[i] = (row){.label = labels[i],
-                        .run = run_area,
-                        .kernels = kernels,
-                        .area = area,
-                        .is_diffuse = is_diffuse};
-    }
-    print_table(title, rows, 4);
-}
-
 /* The loop alone, the second row, is subtracted from latencies; throughputs hide it. */
 static void time_scalars(const char *title, int is_chain, double hertz) {
     const burnish_bench_scalar *list = burnish_bench_paper;
@@ -304,8 +260,6 @@ int main(int count, char **arguments) {
             time_lobes(kernels);
             time_shading(kernels, "whole lighting, directional light, distant viewer", 0);
             time_shading(kernels, "whole lighting, point light, local viewer", 1);
-            time_area_lights(kernels, "area lights, the highlight of three lobes", 0);
-            time_area_lights(kernels, "area lights, diffuse", 1);
         }
     }
     const double hertz = counter_hertz();
