@@ -14,12 +14,6 @@ static uint32_t float_bits(float value) {
     return bits;
 }
 
-static float bits_float(uint32_t bits) {
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
 /* The linear light of an sRGB value in [0, 1]. */
 static long double srgb_decode(long double value) {
     return value <= 0.04045L ? value / 12.92L : powl((value + 0.055L) / 1.055L, 2.4L);
@@ -47,7 +41,7 @@ static void test_around_thresholds(void) {
     for (int k = 1; k < 256; ++k) {
         uint32_t bits = float_bits((float)srgb_decode((k - 0.5L) / 255));
         for (uint32_t i = bits - 64; i <= bits + 64; ++i) {
-            check_code(bits_float(i));
+            check_code(test_float_of_bits(i));
         }
     }
 }
@@ -55,14 +49,14 @@ static void test_around_thresholds(void) {
 static void test_bucket_edges(void) {
     for (uint32_t i = 0; i <= BURNISH_SRGB_BUCKETS; ++i) {
         uint32_t edge = BURNISH_SRGB_FIRST_BITS + (i << 16);
-        check_code(bits_float(edge - 1));
-        check_code(bits_float(edge));
+        check_code(test_float_of_bits(edge - 1));
+        check_code(test_float_of_bits(edge));
     }
 }
 
 static void test_all_patterns(void) {
     for (uint64_t bits = 0; bits <= UINT32_MAX; bits += 4099) {
-        check_code(bits_float((uint32_t)bits));
+        check_code(test_float_of_bits((uint32_t)bits));
     }
     const float special[] = {
         0.0F,       -0.0F,       -1.0F,      1.0F, 2.0F, (float)INFINITY, -(float)INFINITY,
@@ -76,7 +70,7 @@ static void test_monotone(void) {
     int last = 0;
     int rising = 1;
     for (uint32_t bits = 0; bits <= float_bits(1); bits += 61) {
-        int code = burnish_linear_to_srgb(bits_float(bits));
+        int code = burnish_linear_to_srgb(test_float_of_bits(bits));
         rising &= code == last || code == last + 1;
         last = code;
     }
@@ -106,7 +100,7 @@ static void test_values_between(void) {
     }
     CHECK(burnish_srgb_value_to_linear((float)NAN) == 0, "NaN");
     CHECK(burnish_srgb_value_to_linear(-1) == 0, "below 0");
-    CHECK(burnish_srgb_value_to_linear(bits_float(float_bits(1) - 1)) <= 1, "just below 1");
+    CHECK(burnish_srgb_value_to_linear(test_float_of_bits(float_bits(1) - 1)) <= 1, "just below 1");
     CHECK(burnish_srgb_value_to_linear(1) == 1, "1");
     CHECK(burnish_srgb_value_to_linear((float)INFINITY) == 1, "infinity");
 }
@@ -133,7 +127,7 @@ static void test_encoders(void) {
                 if (i < 255) {
                     uint32_t level = float_bits((float)srgb_decode((i + 0.5L) / 255));
                     for (uint32_t k = 0; k < 3; ++k) {
-                        values[k][i] = bits_float(level - 1 + k);
+                        values[k][i] = test_float_of_bits(level - 1 + k);
                     }
                 }
             }
