@@ -49,24 +49,6 @@ static burnish_mesh *make_box(int is_inside_out, const uint8_t *colors,
     return create_mesh(&arrays, &options);
 }
 
-/* A box of 2 x 4 x 6, cut by its own axes and by a corner. */
-static void test_box(void) {
-    burnish_mesh *mesh = make_box(0, NULL, NULL);
-    cut_mesh(mesh, 0, 0, 1, 0.5);
-    CHECK1(fabs(volume_from(mesh, (double[3]){9, 9, 0.5}) - 2 * 4 * 3.5) < 1e-5);
-    CHECK1(burnish_mesh_get_view(mesh)->bounds_max[2] == 0.5f);
-    cut_mesh(mesh, 0, 2, 0, 1); /* y <= 1/2 */
-    CHECK1(fabs(volume_from(mesh, (double[3]){9, 0.5, 0.5}) - 2 * 2.5 * 3.5) < 1e-5);
-    cut_mesh(mesh, -1, 0, 0, 0.25);
-    CHECK1(fabs(volume_from(mesh, (double[3]){-0.25, 0.5, 0.5}) - 1.25 * 2.5 * 3.5) < 1e-5);
-    CHECK1(burnish_mesh_get_view(mesh)->cut_count == 3);
-    burnish_mesh_destroy(mesh);
-    mesh = make_box(0, NULL, NULL);
-    cut_mesh(mesh, 1, 1, 1, 5); /* a corner whose legs are 1: 1/6 */
-    CHECK1(fabs(volume_from(mesh, (double[3]){0, 2, 3}) - (48 - 1.0 / 6)) < 1e-5);
-    burnish_mesh_destroy(mesh);
-}
-
 /* Half-spaces on both sides of any plane share a solid: their parts add up. A ball's is known. */
 static void test_halves(void) {
     static const char *const names[] = {":sphere", ":torus", ":knot"};
@@ -350,7 +332,6 @@ static void test_memory(void) {
 
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
-    RUN(test_box());
     RUN(test_halves());
     RUN(test_edges());
     RUN(test_attributes());
