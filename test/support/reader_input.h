@@ -310,15 +310,38 @@ static inline void put_stl(byte_list *list, const char *header, uint32_t count) 
     }
 }
 
-/* A square and a triangle with normals and colours in one of the three encodings: 0 ASCII, 1
- * little, 2 big endian. Unknown properties and elements are in between. */
+/* A value of a PLY row in one of the three encodings: 0 ASCII, 1 little, 2 big endian. type: c
+ * uchar, s short, i int, f float, d double, n the end of the row. */
+static inline void put_ply_value(byte_list *list, int encoding, char type, double value) {
+    uint64_t bits = (uint64_t)(int64_t)value;
+    if (type == 'd') {
+        memcpy(&bits, &value, sizeof bits);
+    }
+    if (encoding == 0) {
+        char word[32];
+        snprintf(word, sizeof word, "%g ", value);
+        put_text(list, type == 'n' ? "\n" : word);
+    } else if (type == 'f') {
+        put_float(list, (float)value, encoding == 2);
+    } else if (type != 'n') {
+        put_bits(list, bits,
+                 type == 'c'   ? 1
+                 : type == 's' ? 2
+                 : type == 'i' ? 4
+                               : 8,
+                 encoding == 2);
+    }
+}
+
+static const char *const ply_encodings[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+
+/* A square and a triangle with normals and colours. Unknown properties and elements are in
+ * between. */
 static inline void put_ply(byte_list *list, int encoding) {
-    static const char *const names[] = {"ascii", "binary_little_endian", "binary_big_endian"};
     static const float xyz[5][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5f, 2, -1.25f}};
-    static const unsigned faces[2][5] = {{4, 0, 1, 2, 3}, {3, 3, 2, 4}};
-    char line[128];
+    static const int faces[2][5] = {{4, 0, 1, 2, 3}, {3, 3, 2, 4}};
     put_text(list, "ply\nformat ");
-    put_text(list, names[encoding]);
+    put_text(list, ply_encodings[encoding]);
     put_text(list, " 1.0\ncomment made by hand\nobj_info none\nelement camera 1\n"
                    "property double view\nproperty list uchar short tags\nelement vertex 5\n"
                    "property float x\nproperty float y\nproperty float z\nproperty short quality\n"
@@ -326,50 +349,23 @@ static inline void put_ply(byte_list *list, int encoding) {
                    "property uchar red\nproperty uchar green\nproperty uchar blue\n"
                    "property uchar alpha\nelement nothing 4000000000\nelement face 2\n"
                    "property uchar flags\nproperty list uchar int vertex_indices\nend_header\n");
-    if (encoding == 0) {
-        put_text(list, "0.5 2 -7 9\n");
-    } else {
-        put_bits(list, 0x3FE0000000000000u, 8, encoding == 2);
-        put_bits(list, 2, 1, 0);
-        put_bits(list, (uint16_t)-7, 2, encoding == 2);
-        put_bits(list, 9, 2, encoding == 2);
+    for (int k = 0; k < 5; ++k) {
+        put_ply_value(
+            list, encoding, "dcssn" [k], (const double[]) { 0.5, 2, -7, 9, 0 }[k]);
     }
-    for (unsigned i = 0; i < 5; ++i) {
-        if (encoding == 0) {
-            snprintf(line, sizeof line, "%g %g %g %d 0 0 1 %u %u %u %u\n", (double)xyz[i][0],
-                     (double)xyz[i][1], (double)xyz[i][2], -3, 10 * i, 20 * i, 30 * i, 255 - i);
-            put_text(list, line);
-            continue;
-        }
-        for (int k = 0; k < 3; ++k) {
-            put_float(list, xyz[i][k], encoding == 2);
-        }
-        put_bits(list, (uint16_t)-3, 2, encoding == 2);
-        for (int k = 0; k < 3; ++k) {
-            put_float(list, k == 2 ? 1 : 0, encoding == 2);
-        }
-        const unsigned rgba[4] = {10 * i, 20 * i, 30 * i, 255 - i};
-        for (int k = 0; k < 4; ++k) {
-            put_bits(list, rgba[k], 1, 0);
+    for (int i = 0; i < 5; ++i) {
+        const double row[12] = {xyz[i][0], xyz[i][1], xyz[i][2], -3,     0,       0,
+                                1,         10 * i,    20 * i,    30 * i, 255 - i, 0};
+        for (int k = 0; k < 12; ++k) {
+            put_ply_value(list, encoding, "fffsfffccccn"[k], row[k]);
         }
     }
     for (int f = 0; f < 2; ++f) {
-        if (encoding == 0) {
-            put_text(list, "7");
-        } else {
-            put_bits(list, 7, 1, 0);
+        put_ply_value(list, encoding, 'c', 7);
+        for (int k = 0; k <= faces[f][0]; ++k) {
+            put_ply_value(list, encoding, k == 0 ? 'c' : 'i', faces[f][k]);
         }
-        for (unsigned k = 0; k <= faces[f][0]; ++k) {
-            if (encoding == 0) {
-                snprintf(line, sizeof line, " %u", faces[f][k]);
-                put_text(list, line);
-            } else {
-                put_bits(list, faces[f][k], k == 0 ? 1 : 4, encoding == 2);
-            }
-        }
-        if (encoding == 0) {
-            put_text(list, "\n");
-        }
+        put_ply_value(list, encoding, 'n', 0);
     }
 }
 

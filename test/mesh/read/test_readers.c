@@ -319,51 +319,35 @@ static void put_face_rows(byte_list *list, int encoding) {
     static const int faces[4][6] = {
         {4, 0, 1, 2, 3, 0}, {3, 0, 1, 4, 1}, {3, 1, 2, 4, -1}, {3, 2, 3, 4, 1}};
     for (int i = 0; i < 15; ++i) {
-        char word[32];
-        snprintf(word, sizeof word, "%g%c", (double)xyz[i / 3][i % 3], i % 3 == 2 ? '\n' : ' ');
-        encoding == 0 ? put_text(list, word) : put_float(list, xyz[i / 3][i % 3], encoding == 2);
+        put_ply_value(list, encoding, 'f', (double)xyz[i / 3][i % 3]);
     }
     for (int f = 0; f < 4; ++f) {
         const int count = faces[f][0], values = f == 3 ? 2 : 2 * count;
-        char line[200];
-        int size = snprintf(line, sizeof line, "%d", count);
-        put_bits(list, (uint64_t)count, encoding == 0 ? 0 : 1, 0);
-        for (int k = 0; k < count; ++k) {
-            size += snprintf(line + size, sizeof line - (size_t)size, " %d", faces[f][1 + k]);
-            put_bits(list, (uint64_t)faces[f][1 + k], encoding == 0 ? 0 : 4, encoding == 2);
+        put_ply_value(list, encoding, 'n', 0);
+        for (int k = 0; k <= count; ++k) {
+            put_ply_value(list, encoding, k == 0 ? 'c' : 'i', faces[f][k]);
         }
-        size += snprintf(line + size, sizeof line - (size_t)size, " %d", values);
-        put_bits(list, (uint64_t)values, encoding == 0 ? 0 : 1, 0);
+        put_ply_value(list, encoding, 'c', values);
         for (int k = 0; k < values; ++k) { /* u: the vertex; v: 10 times the face */
-            const float value = (float)(k % 2 == 0 ? faces[f][1 + k / 2] : 10 * f);
-            size += snprintf(line + size, sizeof line - (size_t)size, " %g", (double)value);
-            if (encoding > 0) {
-                put_float(list, value, encoding == 2);
-            }
+            put_ply_value(list, encoding, 'f', k % 2 == 0 ? faces[f][1 + k / 2] : 10 * f);
         }
-        snprintf(line + size, sizeof line - (size_t)size, " %d\n", faces[f][count + 1]);
-        put_bits(list, (uint64_t)(int64_t)faces[f][count + 1], encoding == 0 ? 0 : 4,
-                 encoding == 2);
-        if (encoding == 0) {
-            put_text(list, line);
-        }
+        put_ply_value(list, encoding, 'i', faces[f][count + 1]);
     }
 }
 
 static void test_ply_face_coordinates(void) {
-    static const char *const names[] = {"ascii", "binary_little_endian", "binary_big_endian"};
     static const uint16_t materials[5] = {0, 0, 1, 2, 1};
     for (int encoding = 0; encoding < 3; ++encoding) {
         byte_list list = {.size = 0};
         put_text(&list, "ply\nformat ");
-        put_text(&list, names[encoding]);
+        put_text(&list, ply_encodings[encoding]);
         put_text(&list, " 1.0\ncomment TextureFile a.png\ncomment TextureFile b.png\n"
                         "element vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
                         "element face 4\nproperty list uchar int vertex_indices\n"
                         "property list uchar float texcoord\nproperty int texnumber\nend_header\n");
         put_face_rows(&list, encoding);
         if (!CHECK(read_bytes(BURNISH_FORMAT_PLY, list.bytes, list.size) == BURNISH_STATUS_OK,
-                   "%s: %s", names[encoding], fault.text)) {
+                   "%s: %s", ply_encodings[encoding], fault.text)) {
             continue;
         }
         const burnish_stream *uv = &got.streams[BURNISH_TEXCOORD];
@@ -375,8 +359,8 @@ static void test_ply_face_coordinates(void) {
             const float *found = (const float *)uv->items + 2 * (size_t)uv->corners[i];
             const size_t face = i < 6 ? 0 : i / 3 - 1;
             const float u = face == 3 ? 0 : (float)vertex, v = face == 3 ? 0 : 10 * (float)face;
-            CHECK(found[0] == u && found[1] == v, "%s, corner %zu: %g %g", names[encoding], i,
-                  (double)found[0], (double)found[1]);
+            CHECK(found[0] == u && found[1] == v, "%s, corner %zu: %g %g", ply_encodings[encoding],
+                  i, (double)found[0], (double)found[1]);
         }
     }
 }

@@ -318,7 +318,6 @@ static void test_ply_comments(void) {
 
 /* A vertex of two faces has two colours; polygons have one. In all encodings the same. */
 static void test_face_colors(void) {
-    static const char *const encodings[] = {"ascii", "binary_little_endian", "binary_big_endian"};
     static const float xyz[5][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {3, 3, 0}};
     static const uint8_t faces[2][5] = {{3, 0, 4, 3}, {4, 0, 1, 2, 3}};
     for (int order = 0; order < 2; ++order) { /* of the faces: a triangle or a polygon first */
@@ -329,21 +328,18 @@ static void test_face_colors(void) {
                      "ply\nformat %s 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
                      "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
                      "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n",
-                     encodings[encoding]);
+                     ply_encodings[encoding]);
             put_text(&list, line);
             for (int i = 0; i < 15; ++i) {
-                snprintf(line, sizeof line, "%g\n", (double)xyz[i / 3][i % 3]);
-                encoding == 0 ? put_text(&list, line)
-                              : put_float(&list, xyz[i / 3][i % 3], encoding == 2);
+                put_ply_value(&list, encoding, 'f', (double)xyz[i / 3][i % 3]);
             }
             for (int i = 0; i < 2; ++i) {
                 const uint8_t *face = faces[i ^ order];
+                put_ply_value(&list, encoding, 'n', 0);
                 for (int k = 0; k <= face[0] + 3; ++k) {
-                    const int is_color = k > face[0], value = is_color ? 10 * face[0] + k : face[k];
-                    snprintf(line, sizeof line, "%d\n", value);
-                    encoding == 0 ? put_text(&list, line)
-                                  : put_bits(&list, (uint64_t)value, k == 0 || is_color ? 1 : 4,
-                                             encoding == 2);
+                    const int is_color = k > face[0];
+                    put_ply_value(&list, encoding, k == 0 || is_color ? 'c' : 'i',
+                                  is_color ? 10 * face[0] + k : face[k]);
                 }
             }
             burnish_mesh *mesh = load_tolerantly("a.ply", list.bytes, list.size, NULL);
