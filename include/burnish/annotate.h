@@ -1,5 +1,5 @@
-/* burnish/annotate.h: dimensions, scale bar, axes, bounding box and ground grid around a drawn
- * mesh.
+/* burnish/annotate.h: dimensions, scale bar, axes, bounding box, ground grid and callouts
+ * around a drawn mesh.
  *
  *     burnish_annotate_options annotations = burnish_annotate_options_default();
  *     annotations.kinds = BURNISH_ANNOTATION_DIMENSIONS | BURNISH_ANNOTATION_AXES;
@@ -38,8 +38,26 @@ enum {
     BURNISH_ANNOTATION_SCALE = 8,      /* a bar of 1, 2 or 5 times a power of 10; not drawn in
                                           perspective, which has no scale */
     BURNISH_ANNOTATION_GRID = 16,      /* ground lines 1, 2 or 5 times a power of 10 apart */
-    BURNISH_ANNOTATION_ALL = 31
+    BURNISH_ANNOTATION_CALLOUTS = 32,  /* numbers at the parts, and a list of them on the right */
+    BURNISH_ANNOTATION_ALL = 63
 };
+
+/* The most balloons of a picture, and the most entries of a parts list. */
+enum { BURNISH_BALLOONS_MAX = 64, BURNISH_CALLOUTS_MAX = 1000 };
+
+/* An entry of a parts list. Parts share one if they have the same name, but for digits and signs at
+ * its end, as many triangles, and the same area within a thousandth. */
+typedef struct burnish_callout {
+    size_t part, count; /* the first of its parts in burnish_contents.parts; how many it has */
+    int is_visible, has_balloon;
+    int x, y; /* the pixel where the leader starts, well within the part; 0, 0: not visible */
+} burnish_callout;
+
+/* A parts list. An entry's number is its place from 1. */
+typedef struct burnish_callouts {
+    size_t count;
+    burnish_callout items[BURNISH_CALLOUTS_MAX];
+} burnish_callouts;
 
 /* Options for annotations. Start from burnish_annotate_options_default(). */
 typedef struct burnish_annotate_options {
@@ -57,6 +75,8 @@ typedef struct burnish_annotate_options {
                                        of the box are dashed, hidden parts of the grid omitted;
                                        NULL: nothing is hidden */
     size_t depth_stride;   /* bytes from row to row of depth, a multiple of 4 */
+    burnish_callouts *callouts; /* receives the parts list of CALLOUTS; NULL: there are none */
+    const uint32_t *triangles; /* ids as in burnish_target, row by row, for balloons; may be NULL */
 } burnish_annotate_options;
 
 /* No annotations, a white background. */

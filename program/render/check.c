@@ -11,6 +11,7 @@
 #include "font/font.h"
 #include "picture/animation.h"
 #include "render/output/projection.h"
+#include "render/scene/color.h"
 #include "render/scene/library_options.h"
 #include "render/useless.h"
 
@@ -36,6 +37,7 @@ static burnish_status check_turntable(render_settings *settings, burnish_error *
     const char *extra = settings->output.path               ? "output"
                         : settings->output.planes.count > 0 ? "plane"
                         : settings->picture.annotations     ? "annotate"
+                        : settings->picture.callouts        ? "callouts"
                         : settings->output.reference        ? "reference"
                                                             : sheet_flag(settings);
     if (extra) {
@@ -340,6 +342,8 @@ burnish_status render_check(render_settings *settings, burnish_error *error) {
                           "--plate=sheet: draws one view and one lobe of a named file");
     }
     find_size(&settings->picture);
+    settings->input.coloring.no_legend |=
+        settings->picture.callouts && render_names_parts(&settings->input.coloring);
     status = status == BURNISH_STATUS_OK ? choose_look(settings, error) : status;
     return status == BURNISH_STATUS_OK ? check_camera_flags(settings, error) : status;
 }
@@ -348,6 +352,7 @@ burnish_status render_check(render_settings *settings, burnish_error *error) {
 static burnish_status check_rows(render_settings *settings, burnish_error *error) {
     const char *extra = settings->output.turntable      ? "turntable"
                         : settings->picture.annotations ? "annotate"
+                        : settings->picture.callouts    ? "callouts"
                                                         : sheet_flag(settings);
     if (settings->picture.rows.count == 0) {
         return BURNISH_STATUS_OK;

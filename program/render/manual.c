@@ -148,6 +148,9 @@ static const cli_term json_terms[] = {
     {"*camera*",
      "*position*, *focal_point*, *view_up*, *view_angle*, *orthographic_height* (0: perspective)"},
     {"*intrinsics*", "of *--camera-intrinsics*, if it has an effect"},
+    {"*callouts*",
+     "with *--callouts*, the parts list: *number*, *name*, *count* of equal parts, *part*, the "
+     "first of them, from 1, *point*, the pixel where the leader starts or null, *balloon*"},
     {"*pixels_per_unit*", "scale of a parallel projection; null in perspective"},
     {"*lobe, equation, viewer, look, occlusion, ground, shadow, lights, area_lights, samples, "
      "threads, isa*",

@@ -192,6 +192,7 @@ static burnish_status create_renderer(render_result *result, burnish_error *erro
 static void release_result(render_result *result) {
     for (size_t i = 0; result->cells && i < result->cell_count; ++i) {
         burnish_drawing_destroy(result->cells[i].drawing);
+        free(result->cells[i].callouts);
         burnish_image_destroy(&result->cells[i].image);
     }
     free(result->cells);

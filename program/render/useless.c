@@ -113,7 +113,7 @@ static size_t list_scene_needs(const render_settings *settings, cli_need *needs)
          "a parallel projection has no angle; use --camera-orthographic=no"},
         {"camera-intrinsics", render_is_calibrated(settings),
          "they belong to one perspective at an exact position; use --camera-position"},
-        {"camera-view-angle,zoom,annotate", !render_is_calibrated(settings),
+        {"camera-view-angle,zoom,annotate,callouts", !render_is_calibrated(settings),
          "it is not possible with --camera-intrinsics; omit one of them"},
         {"viewer", is_perspective(settings),
          "the viewer of a parallel projection is distant; use --camera-orthographic=no"},

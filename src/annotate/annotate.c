@@ -75,7 +75,13 @@ burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view,
     if (kinds & BURNISH_ANNOTATION_DIMENSIONS) {
         burnish_annotate_dimensions(view, list);
     }
+    if (view->callouts && view->callouts->count > 0) {
+        burnish_annotate_parts_list(view, list);
+    }
     burnish_annotate_marks(view, kinds, list);
+    if (view->callouts && view->callouts->count > 0 && view->triangles) {
+        burnish_annotate_balloons(view, list);
+    }
     if (kinds & BURNISH_ANNOTATION_BOX) {
         burnish_annotate_box(view, list);
     }
@@ -170,9 +176,13 @@ static burnish_status try_inset(fitting *fit, int step, int *changed, burnish_er
         return status;
     }
     view.depth = NULL;
+    view.triangles = NULL;
+    if (view.callouts && step == 0) {
+        burnish_list_parts(fit->mesh, &view, &memory);
+    }
     status = burnish_annotation_lay_out(&view, annotations->kinds, 0, &memory, &list);
     *changed = status == BURNISH_STATUS_OK && adjust_insets(&view, &list, step, fit);
-    burnish_release(annotations->context, list.lines);
+    burnish_annotation_release(&list);
     return status;
 }
 
@@ -191,7 +201,9 @@ static burnish_status find_inset(const burnish_mesh *mesh,
     burnish_status status = BURNISH_STATUS_OK;
     for (int k = 0; k < 4; ++k) {
         const double side = (k < 2 ? framing->aspect : 1) / smaller;
-        fit.limit[k] = LARGEST_INSET * (side - 2 * framing->margin);
+        const int has_list = (annotations->kinds & BURNISH_ANNOTATION_CALLOUTS) != 0;
+        const double share = !has_list || k > 1 ? 1 : k == 1 ? 1.5 : 0.5;
+        fit.limit[k] = share * LARGEST_INSET * (side - 2 * framing->margin);
         fit.limit[k] = fit.limit[k] < 0.45 ? fit.limit[k] : 0.45;
     }
     for (int for_marks = 1; for_marks >= 0 && fit.crowded; --for_marks) {
@@ -268,27 +280,6 @@ static palette choose_palette(const burnish_annotate_options *annotations) {
     return made;
 }
 
-/* Strokes of one figure. */
-typedef struct strokes {
-    burnish_stroke *items;
-    size_t count, capacity;
-    burnish_memory *memory;
-} strokes;
-
-static void push_stroke(strokes *to, burnish_stroke stroke) {
-    to->items = burnish_reserve(to->memory, to->items, &to->capacity, to->count + 1,
-                                sizeof *to->items, "strokes of annotations");
-    if (to->memory->status == BURNISH_STATUS_OK) {
-        to->items[to->count++] = stroke;
-    }
-}
-
-static void push_glyph(void *context, const burnish_stroke *items, size_t count) {
-    for (size_t i = 0; i < count; ++i) {
-        push_stroke(context, items[i]);
-    }
-}
-
 /* The middle of whole pixels, or the border between two, for a line of that width. */
 static float snapped_to_pixels(float value, float width) {
     const int odd = (int)(width + 0.5F) % 2;
@@ -309,18 +300,19 @@ static burnish_stroke sharpened_stroke(burnish_stroke stroke) {
 
 /* The strokes of a layer, or of LINES and all after it, each thickened by `rim` on both sides. */
 static void gather_strokes(const burnish_annotation_list *list, int first, int last, float rim,
-                           float text_height, strokes *to) {
+                           float text_height, burnish_stroke_list *to) {
     to->count = 0;
     for (size_t i = 0; i < list->line_count; ++i) {
         if ((int)list->lines[i].layer >= first && (int)list->lines[i].layer <= last) {
-            push_stroke(to, sharpened_stroke(list->lines[i].stroke));
+            const burnish_stroke sharpened = sharpened_stroke(list->lines[i].stroke);
+            burnish_stroke_list_append(to, &sharpened, 1);
         }
     }
     for (size_t i = 0; i < list->label_count; ++i) {
         const burnish_annotation_label *label = &list->labels[i];
         if ((int)label->layer >= first && (int)label->layer <= last) {
             burnish_text_strokes((float)label->x, (float)label->baseline, text_height, label->text,
-                                 strlen(label->text), push_glyph, to);
+                                 strlen(label->text), burnish_stroke_list_append, to);
         }
     }
     for (size_t i = 0; i < to->count; ++i) {
@@ -337,7 +329,8 @@ typedef struct canvas {
 
 /* A layer of a drawing: its lines, then each label as a path with its text as attribute. */
 static void add_layer(const burnish_annotation_view *view, const burnish_annotation_list *list,
-                      int first, int last, float rim, strokes *figure, burnish_drawing *drawing) {
+                      int first, int last, float rim, burnish_stroke_list *figure,
+                      burnish_drawing *drawing) {
     burnish_annotation_list part = *list;
     part.label_count = 0;
     gather_strokes(&part, first, last, rim, (float)view->text, figure);
@@ -345,7 +338,7 @@ static void add_layer(const burnish_annotation_view *view, const burnish_annotat
     part.line_count = 0;
     part.label_count = 1;
     for (size_t i = 0; i < list->label_count; ++i) {
-        part.labels[0] = list->labels[i];
+        part.labels = &list->labels[i];
         gather_strokes(&part, first, last, rim, (float)view->text, figure);
         burnish_drawing_strokes(drawing, figure->items, figure->count,
                                 rim > 0 ? NULL : list->labels[i].text);
@@ -356,7 +349,7 @@ static void add_layer(const burnish_annotation_view *view, const burnish_annotat
 static burnish_status draw_list(const burnish_annotation_view *view,
                                 const burnish_annotation_list *list, const palette *colors,
                                 const canvas *to, burnish_memory *memory) {
-    strokes figure = {.memory = memory};
+    burnish_stroke_list figure = {.memory = memory};
     burnish_status status = BURNISH_STATUS_OK;
     for (int layer = 0; layer <= BURNISH_LAYER_COUNT && status == BURNISH_STATUS_OK; ++layer) {
         const int is_rim = layer == BURNISH_LAYER_LINES;
@@ -397,6 +390,9 @@ static burnish_status annotate_image(const burnish_mesh *mesh,
     if (status != BURNISH_STATUS_OK) {
         return status;
     }
+    if (view.callouts) {
+        burnish_list_parts(mesh, &view, &memory);
+    }
     status = burnish_annotation_lay_out(&view, annotations->kinds, 1, &memory, &list);
     if (status == BURNISH_STATUS_OK) {
         status = draw_list(&view, &list, &colors, to, &memory);
@@ -404,7 +400,7 @@ static burnish_status annotate_image(const burnish_mesh *mesh,
     if (left_out) {
         *left_out = list.left_out;
     }
-    burnish_release(annotations->context, list.lines);
+    burnish_annotation_release(&list);
     return status;
 }
 
@@ -460,6 +456,20 @@ void burnish_annotation_add_line(burnish_annotation_list *list, burnish_point a,
     }
     list->lines[list->line_count++] = (burnish_annotation_line){
         {(float)a.x, (float)a.y, (float)b.x, (float)b.y, (float)(width / 2)}, layer};
+}
+
+void burnish_annotation_add_label(burnish_annotation_list *list,
+                                  const burnish_annotation_label *label) {
+    list->labels = burnish_reserve(list->memory, list->labels, &list->label_capacity,
+                                   list->label_count + 1, sizeof *list->labels, "annotations");
+    if (list->memory->status == BURNISH_STATUS_OK) {
+        list->labels[list->label_count++] = *label;
+    }
+}
+
+void burnish_annotation_release(burnish_annotation_list *list) {
+    burnish_release(list->memory->context, list->lines);
+    burnish_release(list->memory->context, list->labels);
 }
 
 /* The nearest whole number. From 2^52 on all are whole; a camera within the object sees as far. */

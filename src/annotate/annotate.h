@@ -38,6 +38,9 @@ typedef struct burnish_annotation_view {
     int hull_count;
     const float *depth; /* distances that hide; NULL: nothing does */
     size_t depth_stride;
+    const uint32_t *triangles; /* ids; NULL: no balloons */
+    const burnish_part *parts;
+    burnish_callouts *callouts; /* NULL: there are none */
 } burnish_annotation_view;
 
 /* Errors: ARGUMENT (a camera that looks nowhere). */
@@ -45,6 +48,10 @@ burnish_status burnish_annotation_view_make(const burnish_mesh *mesh,
                                             const burnish_annotate_options *annotations,
                                             const burnish_camera *camera, int width, int height,
                                             burnish_annotation_view *view, burnish_error *error);
+
+/* Fills view->callouts. Errors: the memory's. */
+void burnish_list_parts(const burnish_mesh *mesh, const burnish_annotation_view *view,
+                        burnish_memory *memory);
 
 /* The position of a point on the screen, and its distance along the camera's axis, which in
  * perspective must be above 0. */
@@ -83,7 +90,7 @@ typedef struct burnish_annotation_line {
     burnish_annotation_layer layer;
 } burnish_annotation_line;
 
-enum { BURNISH_LABELS_MAX = 8, BURNISH_LABEL_SIZE = 32 };
+enum { BURNISH_LABEL_SIZE = BURNISH_NAME_SIZE };
 
 typedef struct burnish_annotation_label {
     char text[BURNISH_LABEL_SIZE];
@@ -95,9 +102,9 @@ typedef struct burnish_annotation_label {
 typedef struct burnish_annotation_list {
     burnish_annotation_line *lines;
     size_t line_count, line_capacity;
-    burnish_annotation_label labels[BURNISH_LABELS_MAX];
-    size_t label_count;
-    burnish_area marks[3]; /* what corners hold */
+    burnish_annotation_label *labels;
+    size_t label_count, label_capacity;
+    burnish_area marks[4]; /* what corners hold, and the parts list */
     size_t mark_count;
     int bounded;     /* 1: nothing may exceed the image; 0: framing measures the room needed */
     size_t left_out; /* labels without room */
@@ -107,6 +114,11 @@ typedef struct burnish_annotation_list {
 
 void burnish_annotation_add_line(burnish_annotation_list *list, burnish_point a, burnish_point b,
                                  double width, burnish_annotation_layer layer);
+
+void burnish_annotation_add_label(burnish_annotation_list *list,
+                                  const burnish_annotation_label *label);
+
+void burnish_annotation_release(burnish_annotation_list *list);
 
 /* A label with its middle at a point, before it is taken into the list. */
 burnish_annotation_label burnish_annotation_label_at(const burnish_annotation_view *view,
@@ -130,6 +142,13 @@ void burnish_annotate_dimensions(const burnish_annotation_view *view,
 /* Axes, scale bar and the grid's spacing, in corners that nothing else holds. */
 void burnish_annotate_marks(const burnish_annotation_view *view, burnish_annotation_flags kinds,
                             burnish_annotation_list *list);
+
+/* The parts list along the right edge, or, if nothing is bounded, the room of it and balloons. */
+void burnish_annotate_parts_list(const burnish_annotation_view *view,
+                                 burnish_annotation_list *list);
+
+/* Balloons around the object, with leaders to their parts that do not cross. */
+void burnish_annotate_balloons(const burnish_annotation_view *view, burnish_annotation_list *list);
 
 void burnish_annotate_box(const burnish_annotation_view *view, burnish_annotation_list *list);
 void burnish_annotate_grid(const burnish_annotation_view *view, burnish_annotation_list *list);
@@ -164,7 +183,7 @@ typedef struct burnish_annotation_grid {
 
 burnish_annotation_grid burnish_annotation_grid_of(const burnish_annotation_view *view);
 
-/* Lays out all requested kinds in one list; release it with burnish_release. */
+/* Lays out all requested kinds in one list; release it. */
 burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view,
                                           burnish_annotation_flags kinds, int bounded,
                                           burnish_memory *memory, burnish_annotation_list *list);

@@ -150,7 +150,12 @@ burnish_status burnish_annotation_view_make(const burnish_mesh *mesh,
                                       .height = height,
                                       .corners_seen = 1,
                                       .depth = annotations->depth,
-                                      .depth_stride = annotations->depth_stride};
+                                      .depth_stride = annotations->depth_stride,
+                                      .triangles = annotations->triangles,
+                                      .parts = burnish_mesh_get_contents(mesh)->parts};
+    if (annotations->kinds & BURNISH_ANNOTATION_CALLOUTS) {
+        view->callouts = annotations->callouts;
+    }
     view->eye = burnish_vec3_load(camera->position);
     view->forward =
         burnish_vec3_normalize(burnish_vec3_sub(burnish_vec3_load(camera->focal_point), view->eye));

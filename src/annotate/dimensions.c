@@ -184,7 +184,7 @@ static void take_dimension(burnish_annotation_list *list, const dimension *made)
         burnish_annotation_add_line(list, made->lines[i].a, made->lines[i].b, made->lines[i].width,
                                     BURNISH_LAYER_LINES);
     }
-    list->labels[list->label_count++] = made->label;
+    burnish_annotation_add_label(list, &made->label);
 }
 
 /* Of the ways to draw the dimension next to an edge, the first with enough room. */

@@ -101,11 +101,11 @@ static void take_mark(burnish_annotation_list *list, const mark *made, burnish_p
                                     made->lines[i].layer);
     }
     for (int i = 0; i < made->label_count; ++i) {
-        burnish_annotation_label *label = &list->labels[list->label_count++];
-        *label = made->labels[i];
-        label->x += by.x;
-        label->baseline += by.y;
-        label->area = shifted_area(label->area, by);
+        burnish_annotation_label label = made->labels[i];
+        label.x += by.x;
+        label.baseline += by.y;
+        label.area = shifted_area(label.area, by);
+        burnish_annotation_add_label(list, &label);
     }
     list->marks[list->mark_count++] = shifted_area(made->area, by);
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "annotate/annotate.h"
+#include "burnish/render.h"
 #include "decimal_comma.h"
 #include "images.h"
 #include "shapes.h"
@@ -78,6 +79,7 @@ typedef struct laid_out {
     burnish_annotation_list list;
     burnish_memory memory;
     burnish_camera camera;
+    burnish_callouts callouts;
 } laid_out;
 
 static void lay_out(const burnish_mesh *mesh, burnish_framing framing,
@@ -85,6 +87,7 @@ static void lay_out(const burnish_mesh *mesh, burnish_framing framing,
     burnish_annotate_options annotations = burnish_annotate_options_default();
     burnish_error error = {BURNISH_STATUS_OK, ""};
     annotations.kinds = kinds;
+    annotations.callouts = &made->callouts;
     framing.aspect = (double)width / height;
     CHECK_OK(
         burnish_annotate_inset(mesh, &annotations, &framing, width, height, framing.inset, &error),
@@ -99,7 +102,7 @@ static void lay_out(const burnish_mesh *mesh, burnish_framing framing,
 }
 
 static void drop(laid_out *made) {
-    burnish_release(NULL, made->list.lines);
+    burnish_annotation_release(&made->list);
 }
 
 static const burnish_annotation_label *find_label(const laid_out *made, const char *text) {
@@ -259,6 +262,145 @@ static void test_nothing_overlaps(void) {
     CHECK(left_out * 50 < shown, "%zu left out, %zu shown", left_out, shown);
 }
 
+/* ---- Callouts ---- */
+
+enum { BOXES_MAX = 40, SIDE_MAX = 700 };
+
+/* An OBJ file of boxes, each a part. Every third is a screw, of which all but the first are equal. */
+static burnish_mesh *boxes_of(uint64_t *random, int count) {
+    static char text[BOXES_MAX * 600];
+    size_t used = 0;
+    for (int i = 0; i < count; ++i) {
+        double low[3], size[3];
+        for (int k = 0; k < 3; ++k) {
+            low[k] = floor(test_uniform(random, 0, 60));
+            size[k] = i % 3 ? 1 + floor(test_uniform(random, 0, 12)) : i == 0 ? 3 : 2;
+        }
+        used += (size_t)snprintf(text + used, sizeof text - used,
+                                 i % 3 ? "o %d box\n" : "o screw.%d\n", i + 1);
+        for (int k = 0; k < 8; ++k) {
+            used += (size_t)snprintf(text + used, sizeof text - used, "v %g %g %g\n",
+                                     low[0] + (k & 1) * size[0], low[1] + (k >> 1 & 1) * size[1],
+                                     low[2] + (k >> 2) * size[2]);
+        }
+        used += (size_t)snprintf(text + used, sizeof text - used,
+                                 "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\n"
+                                 "f -8 -4 -2 -6\nf -7 -5 -1 -3\n");
+    }
+    return load_bytes(text, used, "boxes.obj", NULL);
+}
+
+/* A leader's start and its balloon's middle. */
+typedef struct balloon {
+    burnish_point start, middle;
+} balloon;
+
+/* The least distance of a point from the leader of a balloon. */
+static double distance_to(burnish_point p, const balloon *b) {
+    const double x = b->middle.x - b->start.x, y = b->middle.y - b->start.y;
+    const double along = ((p.x - b->start.x) * x + (p.y - b->start.y) * y) / (x * x + y * y);
+    const double t = fmin(fmax(along, 0), 1);
+    return hypot(p.x - b->start.x - t * x, p.y - b->start.y - t * y);
+}
+
+/* 1: the ends of b are on different sides of the line through a. */
+static int is_across(const balloon *a, const balloon *b) {
+    const double x = a->middle.x - a->start.x, y = a->middle.y - a->start.y;
+    return (x * (b->start.y - a->start.y) - y * (b->start.x - a->start.x)) *
+               (x * (b->middle.y - a->start.y) - y * (b->middle.x - a->start.x)) <
+           0;
+}
+
+/* Entries list all parts, equal ones together, and start within them. Returns balloons. */
+static size_t check_list(const laid_out *made, const burnish_mesh *mesh, size_t boxes,
+                         balloon balloons[]) {
+    size_t total = 0, count = 0;
+    for (size_t i = 0; i < made->callouts.count; ++i) {
+        const burnish_callout *item = &made->callouts.items[i];
+        char number[BURNISH_LABEL_SIZE];
+        snprintf(number, sizeof number, "%zu", i + 1);
+        total += item->count;
+        CHECK1(item->count == (item->part == 3 ? (boxes - 1) / 3 : 1));
+        if (item->is_visible) {
+            const uint32_t id = made->view.triangles[item->y * (int)made->view.width + item->x];
+            const size_t part =
+                id == BURNISH_TRIANGLE_NONE ? 1 : burnish_mesh_get_view(mesh)->triangle_parts[id];
+            CHECK(part == item->part || (item->part == 3 && part % 3 == 0), "%zu is at %zu", i,
+                  part);
+        }
+        for (size_t k = 0; k < made->list.label_count && item->has_balloon; ++k) {
+            const burnish_annotation_label *label = &made->list.labels[k];
+            if (strcmp(label->text, number) == 0 &&
+                label->area.right < made->list.marks[0].left) { /* not of the list */
+                balloons[count++] = (balloon){{item->x + 0.5, item->y + 0.5},
+                                              {(label->area.left + label->area.right) / 2,
+                                               (label->area.top + label->area.bottom) / 2}};
+            }
+        }
+    }
+    CHECK(total == boxes, "%zu of %zu parts", total, boxes);
+    return count;
+}
+
+/* Balloons are apart from each other and from the object, and leaders cross neither. */
+static void check_balloons(const laid_out *made, const balloon *balloons, size_t count) {
+    const double radius = made->view.text; /* less than a balloon's */
+    const int width = (int)made->view.width;
+    for (size_t i = 0; i < count * count; ++i) {
+        const balloon *a = &balloons[i / count], *b = &balloons[i % count];
+        CHECK1(a == b || distance_to(b->middle, a) > radius);
+        CHECK1(a == b || !is_across(a, b) || !is_across(b, a));
+    }
+    for (int i = 0; i < width * (int)made->view.height; ++i) {
+        for (size_t k = 0; k < count && made->view.triangles[i] != BURNISH_TRIANGLE_NONE; ++k) {
+            const burnish_point p = balloons[k].middle;
+            CHECK1(hypot(i % width - p.x, i / width - p.y) > radius);
+        }
+    }
+}
+
+static void test_callouts(void) {
+    static uint32_t ids[SIDE_MAX * SIDE_MAX];
+    static balloon balloons[BURNISH_BALLOONS_MAX];
+    uint64_t random = test_seed(11);
+    size_t visible = 0, shown = 0;
+    burnish_renderer *renderer = NULL;
+    burnish_error error = {BURNISH_STATUS_OK, ""};
+    CHECK_OK(burnish_renderer_create(NULL, &renderer, &error), error);
+    for (int i = 0; i < 40; ++i) {
+        const int boxes = 7 + (int)test_uniform(&random, 0, BOXES_MAX - 7);
+        burnish_mesh *mesh = boxes_of(&random, boxes);
+        burnish_framing framing = burnish_framing_default();
+        burnish_render_options options = burnish_render_options_default();
+        burnish_target target = burnish_target_default();
+        laid_out made;
+        options.width = 300 + (int)test_uniform(&random, 0, SIDE_MAX - 300);
+        options.height = 300 + (int)test_uniform(&random, 0, SIDE_MAX - 300);
+        framing.azimuth = test_uniform(&random, 0, 360);
+        lay_out(mesh, framing, BURNISH_ANNOTATION_CALLOUTS, options.width, options.height, &made);
+        drop(&made);
+        options.camera = made.camera;
+        target.triangles = ids;
+        target.triangle_stride = (size_t)options.width * sizeof *ids;
+        CHECK_OK(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error),
+                 error);
+        made.view.triangles = ids;
+        burnish_list_parts(mesh, &made.view, &made.memory);
+        CHECK1(burnish_annotation_lay_out(&made.view, 0, 1, &made.memory, &made.list) ==
+               BURNISH_STATUS_OK);
+        const size_t count = check_list(&made, mesh, (size_t)boxes, balloons);
+        check_balloons(&made, balloons, count);
+        for (size_t k = 0; k < made.callouts.count; ++k) {
+            visible += (size_t)made.callouts.items[k].is_visible;
+        }
+        shown += count;
+        drop(&made);
+        burnish_mesh_destroy(mesh);
+    }
+    CHECK(shown * 10 > visible * 8, "%zu of %zu balloons", shown, visible);
+    burnish_renderer_destroy(renderer);
+}
+
 /* A wall in front of everything hides the box and the grid; nothing in front hides nothing. */
 static void test_depth(void) {
     enum { WIDTH = 200, HEIGHT = 150 };
@@ -365,7 +507,7 @@ static void test_refusals(void) {
     WRONG(bad.depth = depth, bad.depth_stride = 63 * 4);
     WRONG(bad.depth = depth, bad.depth_stride = 64 * 4 + 1);
     WRONG(bad.cookie = 0);
-    WRONG(bad.kinds = 32);
+    WRONG(bad.kinds = 64);
     WRONG(bad.text_height = 4);
     WRONG(bad.text_height = NAN);
     memcpy(camera.focal_point, camera.position, sizeof camera.position);
@@ -385,6 +527,7 @@ int main(int count, char **arguments) {
     RUN(test_scale_bar());
     RUN(test_dimensions());
     RUN(test_nothing_overlaps());
+    RUN(test_callouts());
     RUN(test_depth());
     RUN(test_extremes());
     RUN(test_refusals());

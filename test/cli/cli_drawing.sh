@@ -19,7 +19,7 @@ VALUES = {
 }
 UNTRIED = set("""camera-intrinsics output output-dir recursive files-from columns labels font no-labels output-format turntable camera
     environment-strength environment-turn center-lines input-format color-map color-range no-legend normals crease-angle
-    animation-time animation variant plate joint scene hide only explode thumbnail point-size no-libraries root sandbox reference reference-threshold reference-difference look""".split())
+    animation-time animation variant plate joint scene hide only explode callouts thumbnail point-size no-libraries root sandbox reference reference-threshold reference-difference look""".split())
 def value(flag):
     if flag["type"] == "switch" or flag["optional"]:
         return None

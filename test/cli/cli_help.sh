@@ -110,6 +110,8 @@ done
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >t.obj
 run render t.obj --scene --json --size=16 --camera-position=9,9,9 --camera-intrinsics=9,9,8,8 -o p.png
 json_keys >>keys.txt
+run render t.obj --scene --callouts --json --size=99 -o p.png
+json_keys >>keys.txt
 sort -u keys.txt >written.txt
 awk '/^.SH/ { on = /JSON OUTPUT/ } on' page.txt >section.txt
 grep -o 'fB[a-z_, ]*fR' section.txt | sed 's/^fB//; s/fR$//' | tr ', ' '\n\n' | grep . | sort -u >told.txt

@@ -126,6 +126,12 @@ same "--hide" "$(hash three.obj --size=64 '--hide=s?rew*')" "$two"
 same "--only" "$(hash three.obj --size=64 --only=base --only=lid)" "$two"
 same "--explode" "$(hash two.obj --size=64 --explode=3)" "$(hash apart.obj --size=64)"
 check "a part has its colour" [ "$(hash two.obj --size=64 --color-by=part --no-legend)" != "$two" ]
+gives 0 render three.obj --size=300 --callouts --look=drawing --json -o a.svg
+same "callouts" "$(tr -d '\n\t ' <"$out" | grep -o '"count":1,"part":[0-9],"point":\[[0-9,]*\],"balloon":true' | wc -l)" 3
+same "rows and balloons" "$(grep -cE 'aria-label="(1x (base|lid|screw.1)|[123])"' a.svg)" 9
+expect 2 'burnish: --callouts: a turntable shows only one view and one lobe; omit the flag' render three.obj --callouts --turntable=a.gif
+expect 0 'burnish: warning: --callouts: no effect: INPUT does not have two parts; omit the flag' render :sphere --size=64 --callouts -o a.png
+rm a.svg
 gives 0 render three.obj --size=16 --hide=screw -o a.png
 check "no such name: $(cat "$err")" grep -qx 'burnish: warning: three.obj: no part is named "screw"; there is "screw.1" and 2 more' "$err"
 expect 2 'burnish: three.obj: no part is named "axle"; there is "base", "lid", "screw.1"' render three.obj --only=axle -o a.png

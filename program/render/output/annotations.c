@@ -3,6 +3,8 @@
 #include "burnish/sheet.h"
 #include "render/output/result.h"
 
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "render/output/projection.h"
@@ -20,20 +22,52 @@ static burnish_annotate_options make_annotations(const render_result *result,
     if (render_is_projection(result->settings)) {
         render_limit_annotations(result, cell, &annotations);
     }
+    annotations.callouts = cell->callouts;
+    annotations.triangles = cell->triangles;
     annotations.transparent = options->transparent;
     annotations.depth = depth;
     annotations.depth_stride = (size_t)options->width * sizeof *depth;
     return annotations;
 }
 
+/* Names the entries of the parts list without a number in the picture. */
+static void warn_about_callouts(render_result *result, const render_cell *cell) {
+    const burnish_part *parts = burnish_mesh_get_contents(result->mesh)->parts;
+    char names[300] = "";
+    size_t count = 0, used = 0;
+    for (size_t i = 0; i < cell->callouts->count; ++i) {
+        if (!cell->callouts->items[i].has_balloon) {
+            used += used + BURNISH_NAME_SIZE + 32 > sizeof names
+                        ? 0
+                        : (size_t)snprintf(names + used, sizeof names - used, "%s%zu %s",
+                                           used ? ", " : "", i + 1,
+                                           parts[cell->callouts->items[i].part].name);
+            ++count;
+        }
+    }
+    if (count > 0) {
+        render_warn(&result->warnings, 1,
+                    "%.300s: --callouts: %zu of %zu parts are hidden or have no room for a number "
+                    "in %s, such as %s; use --explode, another camera or a larger picture",
+                    result->settings->input.name, count, cell->callouts->count,
+                    result->cell_count > 1 ? cell->label : "the picture", names);
+    }
+}
+
 burnish_status render_annotate(render_result *result, render_cell *cell, const float *depth,
                                burnish_error *error) {
     const render_settings *settings = result->settings;
-    if (!settings->picture.annotations || render_is_calibrated(settings)) {
+    burnish_annotate_options annotations = make_annotations(result, cell, depth);
+    if (!annotations.kinds) {
         return BURNISH_STATUS_OK;
     }
+    if (annotations.kinds & BURNISH_ANNOTATION_CALLOUTS) {
+        annotations.callouts = cell->callouts = malloc(sizeof *cell->callouts);
+        if (!cell->callouts) {
+            return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for callouts");
+        }
+    }
     const burnish_pixels pixels = burnish_image_get_pixels(&cell->image);
-    const burnish_annotate_options annotations = make_annotations(result, cell, depth);
     size_t left_out = 0;
     const burnish_status status =
         burnish_annotate(result->mesh, &annotations, &cell->camera, &pixels, &left_out, error);
@@ -49,6 +83,9 @@ burnish_status render_annotate(render_result *result, render_cell *cell, const f
             &result->warnings, 1,
             "%.300s: %s has no room for %zu of the annotations; enlarge the picture or its margin",
             settings->input.name, result->cell_count > 1 ? cell->label : "the picture", left_out);
+    }
+    if (status == BURNISH_STATUS_OK && cell->callouts) {
+        warn_about_callouts(result, cell);
     }
     return status;
 }

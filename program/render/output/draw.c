@@ -10,8 +10,8 @@
 
 /* ---- A cell ---- */
 
-/* Draws the mesh, and its coverage if tones need it. *depth receives the distances that annotations
- * behind it need, or NULL; free it. It is NULL after an error. */
+/* Draws the mesh, its coverage if tones need it, and its triangles for callouts. *depth receives the
+ * distances that annotations behind it need, or NULL; free it. It is NULL after an error. */
 static burnish_status draw_mesh(const render_result *result, render_cell *cell, float **depth,
                                 burnish_error *error) {
     const burnish_render_options *options = result->options;
@@ -20,8 +20,9 @@ static burnish_status draw_mesh(const render_result *result, render_cell *cell, 
     const int needs_depth = (result->settings->picture.annotations &
                              (BURNISH_ANNOTATION_BOX | BURNISH_ANNOTATION_GRID)) != 0;
     const int needs_coverage = options->counts == BURNISH_COUNTS_AREA && options->ground;
+    const int needs_triangles = result->settings->picture.callouts;
     *depth = NULL;
-    if (!needs_depth && !needs_coverage) {
+    if (!needs_depth && !needs_coverage && !needs_triangles) {
         return burnish_renderer_draw(result->renderer, result->mesh, options, &cell->image,
                                      &cell->report, error);
     }
@@ -36,9 +37,14 @@ static burnish_status draw_mesh(const render_result *result, render_cell *cell, 
     target.depth = *depth = needs_depth ? malloc(target.depth_stride * height) : NULL;
     target.coverage_stride = width;
     target.coverage = cell->coverage = needs_coverage ? malloc(width * height) : NULL;
-    if ((needs_depth && !*depth) || (needs_coverage && !cell->coverage)) {
+    target.triangle_stride = width * sizeof *cell->triangles;
+    target.triangles = cell->triangles =
+        needs_triangles ? malloc(target.triangle_stride * height) : NULL;
+    if ((needs_depth && !*depth) || (needs_coverage && !cell->coverage) ||
+        (needs_triangles && !cell->triangles)) {
         status = cli_fail(error, BURNISH_STATUS_MEMORY,
-                          "out of memory for %d x %d distances or coverages", options->width, rows);
+                          "out of memory for %d x %d distances, coverages or triangles",
+                          options->width, rows);
     }
     if (status == BURNISH_STATUS_OK) {
         status = burnish_renderer_draw_into(result->renderer, result->mesh, options, &target,
@@ -111,6 +117,7 @@ burnish_status render_draw_cell(render_result *result, render_cell *cell, burnis
     burnish_status status = draw_pixels(result, cell, &depth, error);
     if (status != BURNISH_STATUS_OK) {
         free(cell->coverage);
+        free(cell->triangles);
         return status;
     }
     if (output->json) {
@@ -129,6 +136,8 @@ burnish_status render_draw_cell(render_result *result, render_cell *cell, burnis
     if (status == BURNISH_STATUS_OK && picture_is_drawing((picture_format)output->format)) {
         status = render_trace(result, cell, depth, error);
     }
+    free(cell->triangles);
+    cell->triangles = NULL;
     free(depth);
     if (is_hashed(result) && status == BURNISH_STATUS_OK) {
         cell->hash = burnish_image_hash(&cell->image);

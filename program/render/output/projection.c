@@ -48,6 +48,7 @@ static burnish_status aim_view(render_result *result, size_t i, burnish_error *e
     cell->image.width = settings.picture.size[0] = projection->cells[i].width;
     cell->image.height = settings.picture.size[1] = projection->cells[i].height;
     settings.picture.annotations = 0;
+    settings.picture.callouts &= i == BURNISH_PROJECTION_PICTORIAL;
     if (i == BURNISH_PROJECTION_PICTORIAL) {
         room.is_given = 0;
     } else {
@@ -98,11 +99,16 @@ void render_limit_annotations(const render_result *result, const render_cell *ce
     const size_t i = (size_t)(cell - result->cells);
     int axes[3]; /* of width, height, depth */
     render_axes(result->mesh, &result->settings->camera, axes);
-    annotations->text_height = result->projection.text_height;
-    annotations->kinds &= i == BURNISH_PROJECTION_FRONT  ? ~(unsigned)BURNISH_ANNOTATION_AXES
+    annotations->text_height =
+        result->settings->picture.callouts && i == BURNISH_PROJECTION_PICTORIAL
+            ? 0 /* as framing has them */
+            : result->projection.text_height;
+    annotations->kinds &= i == BURNISH_PROJECTION_FRONT
+                              ? ~(unsigned)(BURNISH_ANNOTATION_AXES | BURNISH_ANNOTATION_CALLOUTS)
                           : i == BURNISH_PROJECTION_SIDE ? BURNISH_ANNOTATION_DIMENSIONS
-                          : i == BURNISH_PROJECTION_TOP  ? 0
-                                                         : BURNISH_ANNOTATION_AXES;
+                          : i == BURNISH_PROJECTION_TOP
+                              ? 0
+                              : BURNISH_ANNOTATION_AXES | BURNISH_ANNOTATION_CALLOUTS;
     annotations->lengths =
         i == BURNISH_PROJECTION_SIDE ? 1U << axes[2] : 1U << axes[0] | 1U << axes[1];
 }

@@ -62,6 +62,26 @@ static cJSON *exponents_array(const burnish_mesh *mesh) {
     return array;
 }
 
+static void add_callouts(cJSON *object, const render_result *result, const burnish_callouts *list,
+                         int *failed) {
+    const burnish_part *parts = burnish_mesh_get_contents(result->mesh)->parts;
+    cJSON *array = cJSON_CreateArray();
+    for (size_t i = 0; i < list->count; ++i) {
+        const burnish_callout *item = &list->items[i];
+        const int point[2] = {item->x, item->y};
+        cJSON *row = cJSON_CreateObject();
+        cli_json_add(row, "number", cli_json_count(i + 1), failed);
+        cli_json_add(row, "name", cli_json_text(parts[item->part].name), failed);
+        cli_json_add(row, "count", cli_json_count(item->count), failed);
+        cli_json_add(row, "part", cli_json_count(item->part + 1), failed);
+        cli_json_add(row, "point",
+                     item->is_visible ? cli_json_integers(2, point) : cJSON_CreateNull(), failed);
+        cli_json_add(row, "balloon", cJSON_CreateBool(item->has_balloon), failed);
+        cli_json_add(array, NULL, row, failed);
+    }
+    cli_json_add(object, "callouts", array, failed);
+}
+
 /* The keys that a single picture and a cell share. */
 static void add_picture(cJSON *object, const render_result *result, const render_cell *cell,
                         int *failed) {
@@ -82,6 +102,9 @@ static void add_picture(cJSON *object, const render_result *result, const render
     if (render_is_calibrated(result->settings)) {
         cli_json_add(object, "intrinsics",
                      cli_json_reals(4, result->settings->camera.intrinsics.values), failed);
+    }
+    if (cell->callouts) {
+        add_callouts(object, result, cell->callouts, failed);
     }
     const double height = cell->camera.orthographic_height;
     const int picture_height =

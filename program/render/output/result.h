@@ -76,8 +76,10 @@ typedef struct render_cell {
     burnish_drawing *drawing; /* of an SVG; else NULL */
     burnish_render_report report;
     uint64_t hash;
-    render_tones tones; /* with --json */
-    uint8_t *coverage;  /* with --json and a ground, until tones are measured */
+    render_tones tones;         /* with --json */
+    uint8_t *coverage;          /* with --json and a ground, until tones are measured */
+    uint32_t *triangles;        /* with --callouts, until annotations are drawn */
+    burnish_callouts *callouts; /* with --callouts */
     int has_one_color;
     char label[256]; /* UTF-8 */
     int plate;       /* of --plate=sheet; else 0 */

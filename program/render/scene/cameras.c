@@ -169,7 +169,8 @@ static burnish_framing fit_options(const render_settings *settings, render_view 
 burnish_annotate_options render_make_annotations(const burnish_mesh *mesh,
                                                  const render_settings *settings) {
     burnish_annotate_options annotations = burnish_annotate_options_default();
-    annotations.kinds = settings->picture.annotations;
+    annotations.kinds = settings->picture.annotations |
+                        (settings->picture.callouts ? BURNISH_ANNOTATION_CALLOUTS : 0);
     memcpy(annotations.up, frame_in_use(mesh, &settings->camera)->up, sizeof annotations.up);
     return annotations;
 }
@@ -192,8 +193,10 @@ static burnish_status frame_with_room(const request *from, burnish_camera *camer
     render_room *room = from->room;
     burnish_framing framing = from->framing;
     burnish_status status = BURNISH_STATUS_OK;
-    if (!room->is_given && settings->picture.annotations) {
-        const burnish_annotate_options annotations = render_make_annotations(mesh, settings);
+    burnish_annotate_options annotations = render_make_annotations(mesh, settings);
+    burnish_callouts unused;
+    annotations.callouts = &unused;
+    if (!room->is_given && annotations.kinds) {
         status = burnish_annotate_inset(mesh, &annotations, &framing, settings->picture.size[0],
                                         settings->picture.size[1], room->inset, error);
     }

@@ -21,7 +21,7 @@ burnish_status render_camera(const burnish_mesh *mesh, const render_settings *se
                              render_view view, render_room *room, burnish_camera *camera,
                              burnish_error *error);
 
-/* The annotations of --annotate, without colours. */
+/* The annotations of --annotate and --callouts, without colours. */
 burnish_annotate_options render_make_annotations(const burnish_mesh *mesh,
                                                  const render_settings *settings);
 

@@ -181,6 +181,7 @@ typedef struct render_picture_settings {
     int cull_back_faces; /* 0: in rooms; -1: never */
     render_background background;
     burnish_annotation_flags annotations;
+    int callouts;
 
     render_views views;
     int columns;        /* 0: chosen by the number of cells */

@@ -1,0 +1,116 @@
+/* The parts list: equal parts are one entry. Each visible entry has a pixel for its leader. */
+#include <string.h>
+
+#include "annotate/annotate.h"
+
+enum { NO_ENTRY = UINT16_MAX };
+
+/* Parts are equal if their areas differ by less, in parts of one. */
+#define AREA_TOLERANCE 1e-3
+
+/* The length of a name without digits and signs at its end, as in "wheel.001" and "Bolt (2)". */
+static size_t stem_length(const char *name) {
+    size_t length = strlen(name);
+    while (length > 0 && strchr("0123456789 .,:;_-#()[]<>", name[length - 1])) {
+        --length;
+    }
+    return length;
+}
+
+static int are_equal(const burnish_part *a, const burnish_part *b) {
+    const size_t length = stem_length(a->name);
+    return a->triangle_count == b->triangle_count && length == stem_length(b->name) &&
+           memcmp(a->name, b->name, length) == 0;
+}
+
+static size_t part_of(const burnish_mesh_view *view, size_t triangle) {
+    return view->triangle_parts ? view->triangle_parts[triangle] : 0;
+}
+
+/* Twice the area of each part. */
+static void measure_parts(const burnish_mesh_view *view, double *areas) {
+    for (size_t i = 0; i < view->triangle_count; ++i) {
+        burnish_vec3 p[3];
+        for (int k = 0; k < 3; ++k) {
+            p[k] = burnish_vec3_loadf(view->positions + 3 * (size_t)view->indices[3 * i + k]);
+        }
+        areas[part_of(view, i)] += burnish_vec3_length(
+            burnish_vec3_cross(burnish_vec3_sub(p[1], p[0]), burnish_vec3_sub(p[2], p[0])));
+    }
+}
+
+/* entries receives the entry of each part. Parts without area are not drawn. */
+static void group_parts(const burnish_annotation_view *view, size_t count, const double *areas,
+                        uint16_t *entries) {
+    burnish_callouts *list = view->callouts;
+    for (size_t i = 0; i < count; ++i) {
+        size_t at = areas[i] > 0 ? 0 : BURNISH_CALLOUTS_MAX;
+        for (; at < list->count; ++at) {
+            const size_t first = list->items[at].part;
+            const double difference = areas[i] - areas[first], most = AREA_TOLERANCE * areas[i];
+            if (difference < most && difference > -most &&
+                are_equal(&view->parts[i], &view->parts[first])) {
+                break;
+            }
+        }
+        entries[i] = at < BURNISH_CALLOUTS_MAX ? (uint16_t)at : NO_ENTRY;
+        if (at < BURNISH_CALLOUTS_MAX) {
+            list->count += at == list->count;
+            list->items[at].part = list->items[at].count++ ? list->items[at].part : i;
+        }
+    }
+}
+
+/* The part at a pixel; BURNISH_PARTS_MAX for none. */
+static size_t part_at(const burnish_mesh_view *view, const uint32_t *triangles, size_t pixel) {
+    const uint32_t id = triangles[pixel];
+    return id < view->triangle_count ? part_of(view, id) : BURNISH_PARTS_MAX;
+}
+
+/* Leaders start where the distance to the border of a part is largest, in steps along rows and
+ * columns: it is found in two passes, from the top left and from the bottom right. */
+static void find_points(const burnish_mesh_view *view, const burnish_annotation_view *on,
+                        size_t count, const uint16_t *entries, uint16_t *distances) {
+    const size_t width = (size_t)on->width;
+    unsigned most[BURNISH_CALLOUTS_MAX] = {0};
+    for (size_t i = 0; i < 2 * count; ++i) {
+        const size_t is_second = i >= count, at = is_second ? 2 * count - 1 - i : i;
+        const size_t part = part_at(view, on->triangles, at);
+        unsigned least = is_second ? distances[at] - 1U : UINT16_MAX - 1;
+        for (int k = 0; k < 2; ++k) {
+            const size_t step = k ? width : 1;
+            const int is_edge = (k ? i % count / width : i % width) == 0;
+            const size_t next = is_second ? at + step : at - step;
+            const unsigned d =
+                !is_edge && part_at(view, on->triangles, next) == part ? distances[next] : 0;
+            least = d < least ? d : least;
+        }
+        distances[at] = (uint16_t)(least + 1);
+        const size_t entry = part < BURNISH_PARTS_MAX ? entries[part] : NO_ENTRY;
+        if (is_second && entry != NO_ENTRY && distances[at] > most[entry]) {
+            most[entry] = distances[at];
+            on->callouts->items[entry].is_visible = 1;
+            on->callouts->items[entry].x = (int)(at % width);
+            on->callouts->items[entry].y = (int)(at / width);
+        }
+    }
+}
+
+void burnish_list_parts(const burnish_mesh *mesh, const burnish_annotation_view *view,
+                        burnish_memory *memory) {
+    const burnish_mesh_view *arrays = burnish_mesh_get_view(mesh);
+    const size_t count = burnish_mesh_get_contents(mesh)->part_count;
+    const size_t pixels = view->triangles ? (size_t)view->width * (size_t)view->height : 0;
+    double *areas = burnish_allocate_zeroed(memory, count + 1, sizeof *areas, "the parts list");
+    uint16_t *entries = burnish_allocate(memory, count + 1, sizeof *entries, "the parts list");
+    uint16_t *distances = burnish_allocate(memory, pixels + 1, sizeof *distances, "pixels");
+    *view->callouts = (burnish_callouts){.count = 0};
+    if (memory->status == BURNISH_STATUS_OK && count > 0) {
+        measure_parts(arrays, areas);
+        group_parts(view, count, areas, entries);
+        find_points(arrays, view, pixels, entries, distances);
+    }
+    burnish_release(memory->context, areas);
+    burnish_release(memory->context, entries);
+    burnish_release(memory->context, distances);
+}
