@@ -118,21 +118,25 @@ static uint32_t corner_at(const finder *f, uint32_t side, uint32_t end) {
     return corners[2];
 }
 
-static int normals_differ(const finder *f, uint32_t a, uint32_t b) {
+static int normals_differ(const finder *f, uint32_t a, uint32_t b, double sign) {
     const float *normals = f->mesh->normals;
-    return a != b && burnish_vec3_dot(burnish_vec3_loadf(normals + 3 * (size_t)a),
-                                      burnish_vec3_loadf(normals + 3 * (size_t)b)) < SHARP_COSINE;
+    return a != b && sign * burnish_vec3_dot(burnish_vec3_loadf(normals + 3 * (size_t)a),
+                                             burnish_vec3_loadf(normals + 3 * (size_t)b)) <
+                         SHARP_COSINE;
 }
 
-/* BURNISH_EDGE_SHARP with the ends at which the normals differ, or 0. */
+/* BURNISH_EDGE_SHARP with the ends at which the normals differ, or 0. A triangle that is wound against
+ * its neighbour has the opposite normals, and is no fold. */
 static uint32_t find_sharpness(const finder *f, const uint32_t sides[2], const uint32_t ends[2]) {
+    const double sign = f->heads[f->mesh->indices[sides[1]]] == ends[0] ? -1 : 1;
     uint32_t differ = 0;
     for (int k = 0; k < 2; ++k) {
-        if (normals_differ(f, corner_at(f, sides[0], ends[k]), corner_at(f, sides[1], ends[k]))) {
+        if (normals_differ(f, corner_at(f, sides[0], ends[k]), corner_at(f, sides[1], ends[k]),
+                           sign)) {
             differ |= SHARP_FIRST << k | BURNISH_EDGE_SHARP;
         }
     }
-    return differ && burnish_vec3_dot(face_normal(f, sides[0]), face_normal(f, sides[1])) <
+    return differ && sign * burnish_vec3_dot(face_normal(f, sides[0]), face_normal(f, sides[1])) <
                          SHARP_COSINE
                ? differ
                : 0;

@@ -174,6 +174,9 @@ static void test_cube(double height, int is_cut) {
         }
     }
     CHECK(seen == 9 && hidden == 3, "%d and %d", seen, hidden);
+    for (size_t i = 0; i < d.lines->line_count; ++i) {
+        CHECK1(d.lines->widths[i] == d.options.edge_width);
+    }
     CHECK(fabs(length_of_lines(d.lines) - sum) < 1, "%g pixels of lines, expected %g",
           length_of_lines(d.lines), sum);
     drop(&d);
@@ -367,6 +370,24 @@ static void test_grid(void) {
     CHECK1(d.lines->line_count == 0);
     drop(&d);
     free(s);
+}
+
+/* A triangle that is wound against its neighbours makes no line. */
+static void test_flipped(void) {
+    static const double position[3] = {6, -9, 5};
+    shape s = box_at(-1, -1, -1, 2, 2, 2);
+    double lengths[2];
+    for (int i = 0; i < 2; ++i) {
+        drawn d = draw_shape(&s, position, 0, BURNISH_EDGES_FEATURES);
+        lengths[i] = length_of_lines(d.lines);
+        drop(&d);
+        for (int t = 0; t < 12; t += 5) {
+            const uint32_t corner = s.corners[3 * t];
+            s.corners[3 * t] = s.corners[3 * t + 1];
+            s.corners[3 * t + 1] = corner;
+        }
+    }
+    CHECK(fabs(lengths[0] - lengths[1]) < 1, "%g and %g pixels", lengths[0], lengths[1]);
 }
 
 /* Along an axis and in parallel projection AXIS_VIEWS are features, elsewhere nothing. */
@@ -566,6 +587,7 @@ int main(int count, char **arguments) {
     RUN(test_step());
     RUN(test_sphere());
     RUN(test_grid());
+    RUN(test_flipped());
     RUN(test_no_lines());
     RUN(test_axis_views());
     RUN(test_loose());

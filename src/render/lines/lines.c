@@ -17,7 +17,7 @@ enum {
  * part are, but for rounding. */
 #define EDGE_ON_SINE 1e-5
 
-/* Inner lines are thinner than outlines. */
+/* Hidden lines, axes and wireframes are narrow (ISO 128-2). */
 #define INNER_SHARE 0.6
 
 /* Lines shorter than these shares of the picture's smaller side are noise; see
@@ -430,6 +430,15 @@ static void drop_noise(burnish_line_art *art, const burnish_render_options *opti
     }
 }
 
+/* Visible edges and outlines have one width (ISO 128-3), unless they are faint or a wireframe. They
+ * differ while noise is dropped. */
+static void widen_lines(burnish_line_art *art, const burnish_render_options *options) {
+    const int is_drawing = options->edge_opacity == 1 && !(options->edges & BURNISH_EDGES_ALL);
+    for (size_t i = 0; i < art->lines.line_count && is_drawing; ++i) {
+        art->widths[i] = options->edge_width;
+    }
+}
+
 /* Appends dashes for what the surface hides and no line covers. */
 static void trace_hidden(burnish_line_art *art, burnish_line_scene *scene,
                          const burnish_render_options *options, burnish_tasks *tasks,
@@ -476,6 +485,7 @@ burnish_status burnish_line_art_update(burnish_line_art *art, const burnish_mesh
         trace_chains(art, &scene, tasks, memory);
         describe_lines(art, options);
         drop_noise(art, options, memory);
+        widen_lines(art, options);
         trace_hidden(art, &scene, options, tasks, memory);
         if (options->edges & BURNISH_EDGES_CENTERS) {
             describe_lines(art, options);
