@@ -521,25 +521,24 @@ static const cli_flag flags[] = {
      .aliases = "outline,outlines,feature-edges,no-edges",
      .manual = "Draws visible edges as lines: *silhouettes*, at steps in depth; *creases*, at hard "
                "edges; *boundaries* of open surfaces; borders between *materials*; or *none*. "
-               "Without _LIST_ all of them; without the flag the look decides. Lines at a step in "
-               "depth are *--edge-width* wide, others 3/5 of it."},
+               "Without _LIST_ all of them; without the flag the look decides."},
     {DRAW_SWITCH("wireframe", "draw the edges of all triangles", shading.wireframe),
      .aliases = "wire,mesh-lines,e",
      .manual = "Draws the visible edges of all triangles as lines."},
     {DRAW_SWITCH("hidden-lines", "draw hidden edges as dashed lines", shading.hidden_lines),
      .aliases = "hidden",
-     .manual = "Draws the edges that the object hides as dashed lines, 3/5 as wide as outlines, "
-               "where no other line covers them. Draws edges like *--edges* if the look does not."},
+     .manual =
+         "Draws the edges that the object hides as dashed lines, 3/5 as wide as visible ones, "
+         "where no other line covers them. Draws edges like *--edges* if the look does not."},
     {DRAW_SWITCH("center-lines", "draw axes of holes and cylinders", shading.center_lines),
      .aliases = "centre-lines,axis-lines",
      .manual = "Draws axes that two circles of hard edges have in common as chain lines, with a "
                "cross where the axis points to the viewer. Axes of hidden circles are drawn only "
                "together with *--hidden-lines*. Draws edges like *--edges* if the look does not."},
-    {DRAW_FLAG("edge-width", "PIXELS", "width of outlines; other lines: 3/5 of it", cli_flag_real,
-               shading.edge_width),
+    {DRAW_FLAG("edge-width", "PIXELS", "width of visible edges", cli_flag_real, shading.edge_width),
      CLI_RANGE(0.1, BURNISH_EDGE_WIDTH_MAX), .default_label = "1.8", .also = "line-width",
-     .manual = "Width of lines at a step in depth, in pixels, from 0.1 to 100. Other lines have "
-               "3/5 of it."},
+     .manual = "Width of visible edges in pixels, from 0.1 to 100. Hidden lines, axes and "
+               "wireframes have 3/5 of it, and so do the faint edges of views along an axis."},
     {DRAW_FLAG("edge-color", "COLOR", "colour of lines", cli_flag_color, shading.edge_color),
      .value_type = CLI_TYPE_COLOR, .default_label = "near black",
      .aliases = "edge-colour,line-color", .manual = "Colour of lines; see *COLOURS*."},
