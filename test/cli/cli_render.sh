@@ -129,6 +129,8 @@ check "a part has its colour" [ "$(hash two.obj --size=64 --color-by=part --no-l
 gives 0 render three.obj --size=300 --callouts --look=drawing --json -o a.svg
 same "callouts" "$(tr -d '\n\t ' <"$out" | grep -o '"count":1,"part":[0-9],"point":\[[0-9,]*\],"balloon":true' | wc -l)" 3
 same "rows and balloons" "$(grep -cE 'aria-label="(1x (base|lid|screw.1)|[123])"' a.svg)" 9
+gives 0 render three.obj --look=drawing --clip=0,1,0,1.5 -o a.svg
+same "hatching of parts" "$(grep -c '<path fill="none" stroke' a.svg)" 3
 expect 2 'burnish: --callouts: a turntable shows only one view and one lobe; omit the flag' render three.obj --callouts --turntable=a.gif
 expect 0 'burnish: warning: --callouts: no effect: INPUT does not have two parts; omit the flag' render :sphere --size=64 --callouts -o a.png
 rm a.svg

@@ -32,7 +32,7 @@ enum {
 /* What is of one colour. */
 typedef struct area {
     float light[3]; /* linear, in [0, 1] */
-    int way;        /* of a cut's hatching, 0 or 1; -1: a surface */
+    int style;      /* of a cut's hatching; -1: a surface */
 } area;
 
 typedef struct tracing {
@@ -80,19 +80,19 @@ static void store_color(const float light[3], float hatch, uint8_t color[3]) {
 
 /* 1 + the index of such an area, found or made; 0 where it needs no filling, or there are too
  * many: a surface of the background's colour, or a transparent one. */
-static int find_area(tracing *t, int material, int way) {
-    area wanted = {.way = way};
+static int find_area(tracing *t, int material, int style) {
+    area wanted = {.style = style};
     uint8_t color[3];
     if (burnish_mesh_get_material(t->mesh, (size_t)material)->transparency > 0) {
         return 0;
     }
     flat_light(t, material, wanted.light);
     store_color(wanted.light, BURNISH_NO_CAP, color);
-    if (way < 0 && memcmp(color, t->options->background, sizeof color) == 0) {
+    if (style < 0 && memcmp(color, t->options->background, sizeof color) == 0) {
         return 0;
     }
     for (int i = 0; i < t->count; ++i) {
-        if (t->areas[i].way == way &&
+        if (t->areas[i].style == style &&
             memcmp(t->areas[i].light, wanted.light, sizeof wanted.light) == 0) {
             return i + 1;
         }
@@ -187,7 +187,9 @@ static int classify_pixel(tracing *t, int x, int y, uint32_t triangle, double de
         t->surface = find_area(t, t->material, -1);
     }
     const int cut = t->is_inside ? find_cut(t, x, y, depth) : -1;
-    return cut < 0 ? t->surface : find_area(t, t->material, (cut + t->material) & 1);
+    return cut < 0 ? t->surface
+                   : find_area(t, t->material,
+                               burnish_hatch_style(cut, burnish_hatch_regions(t->view), triangle));
 }
 
 static burnish_status draw_band(tracing *t, burnish_renderer *renderer, int first) {
@@ -262,15 +264,17 @@ static void add_areas(const tracing *t, burnish_drawing *drawing, burnish_memory
         if (borders.count == 0 || memory->status != BURNISH_STATUS_OK) {
             continue;
         }
-        store_color(a->light, a->way < 0 ? BURNISH_NO_CAP : 0, color);
+        store_color(a->light, a->style < 0 ? BURNISH_NO_CAP : 0, color);
         burnish_drawing_begin_area(drawing, color, 1);
         for (size_t k = 0; k < borders.count; ++k) {
             const size_t start = borders.starts[k];
             burnish_drawing_add_border(drawing, borders.points + 2 * start,
                                        borders.starts[k + 1] - start);
         }
-        if (a->way >= 0) { /* through the middles of pixels, as the picture has them */
-            burnish_borders_hatch(&borders, a->way, BURNISH_HATCH_PERIOD, a->way ? 0 : 1, memory);
+        if (a->style >= 0) { /* through the middles of pixels, as the picture has them */
+            const int way = a->style & 1;
+            burnish_borders_hatch(&borders, way, burnish_hatch_period(a->style), way ? 0 : 1,
+                                  memory);
             store_color(a->light, 1, color);
             burnish_drawing_hatch(drawing, color, BURNISH_HATCH_WIDTH, borders.hatch,
                                   borders.hatch_count);

@@ -64,7 +64,8 @@ static int make_cap(const burnish_clip_plane *plane, const burnish_raster_view *
 
 burnish_caps burnish_caps_create(const burnish_mesh_view *mesh, const burnish_raster_view *view) {
     burnish_caps caps = {.inside = mesh->inside == BURNISH_INSIDE_BACK,
-                         .triangles = mesh->triangle_count};
+                         .triangles = mesh->triangle_count,
+                         .regions = burnish_hatch_regions(mesh)};
     const int cuts = mesh->inside == BURNISH_INSIDE_UNKNOWN ? 0 : mesh->cut_count;
     for (int i = 0; i < cuts; ++i) {
         caps.items[caps.count].number = i;
@@ -106,13 +107,13 @@ const burnish_cap *burnish_caps_find(const burnish_caps *caps, double x, double 
 
 /* ---- Hatching ---- */
 
-enum { PERIOD = BURNISH_HATCH_PERIOD };
 #define DIAGONAL 0.70710678f
 
-float burnish_cap_hatch(int number, int x, int y) {
-    const int along = (number & 1 ? x - y : x + y) % PERIOD;
-    const int step = along < 0 ? along + PERIOD : along;
-    const float distance = (float)(step < PERIOD - step ? step : PERIOD - step) * DIAGONAL;
+float burnish_cap_hatch(int style, int x, int y) {
+    const int period = burnish_hatch_period(style);
+    const int along = (style & 1 ? x - y : x + y) % period;
+    const int step = along < 0 ? along + period : along;
+    const float distance = (float)(step < period - step ? step : period - step) * DIAGONAL;
     const float cover = BURNISH_HATCH_WIDTH * 0.5f + 0.5f - distance;
     return cover < 0 ? 0 : cover > 1 ? 1 : cover;
 }

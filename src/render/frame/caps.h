@@ -22,8 +22,9 @@ typedef struct burnish_cap {
 
 typedef struct burnish_caps {
     int count;
-    unsigned inside;  /* id_and_facing & 1 of triangles that are seen from inside */
-    size_t triangles; /* the solid's; others follow them, and have no caps */
+    unsigned inside;         /* id_and_facing & 1 of triangles that are seen from inside */
+    size_t triangles;        /* the solid's; others follow them, and have no caps */
+    const uint16_t *regions; /* of each triangle: see burnish_hatch_style */
     burnish_cap items[BURNISH_CUTS_MAX];
 } burnish_caps;
 
@@ -49,14 +50,28 @@ burnish_caps burnish_caps_create(const burnish_mesh_view *mesh, const burnish_ra
  * where no cap is nearer: a line of sight that begins in the solid. */
 const burnish_cap *burnish_caps_find(const burnish_caps *caps, double x, double y, float *depth);
 
-/* The lines of the hatching: how far apart along a row, and how wide, in pixels. */
-#define BURNISH_HATCH_PERIOD 14
+/* The width of the hatching's lines in pixels. */
 #define BURNISH_HATCH_WIDTH 1.1f
 
+/* The style of hatching, which tells parts that touch apart (ISO 128-50), or materials if there are
+ * no parts: bit 0 is the way of the lines, the rest chooses their distance. */
+static inline int burnish_hatch_style(int cut, const uint16_t *regions, size_t triangle) {
+    const int region = regions ? regions[triangle] : 0;
+    return ((cut + region) & 1) + 2 * (region / 2 % 3);
+}
+
+static inline const uint16_t *burnish_hatch_regions(const burnish_mesh_view *mesh) {
+    return mesh->triangle_parts ? mesh->triangle_parts : mesh->triangle_materials;
+}
+
+/* How far apart lines are along a row, in pixels. */
+static inline int burnish_hatch_period(int style) {
+    return style < 2 ? 14 : style < 4 ? 9 : 20;
+}
+
 /* How much of a cap's hatching a pixel of the image shows, [0, 1]: lines of constant width and
- * distance in pixels at 45 degrees, antialiased, in turn one way and the other.
- *   number  of the cut, and of the material, added */
-float burnish_cap_hatch(int number, int x, int y);
+ * distance in pixels at 45 degrees, antialiased. */
+float burnish_cap_hatch(int style, int x, int y);
 #define BURNISH_NO_CAP (-1.0f)
 
 /* What that, or BURNISH_NO_CAP, makes of light: of channel k, 0 is red. Caps are a little warmer

@@ -298,10 +298,6 @@ void burnish_surface_begin_tile(const burnish_surface *surface, const burnish_ti
 /* Caps have no vertices, so they have this colour instead of vertex colours. */
 #define CAP_COLOR 0.5f
 
-static int material_of(const burnish_surface *surface, uint32_t id_and_facing) {
-    return surface->triangle_materials ? surface->triangle_materials[id_and_facing >> 1] : 0;
-}
-
 /* ---- Simple pixels: attributes are in the tile's planes ---- */
 
 /* The pixels of a row of blocks from its first one. */
@@ -455,7 +451,8 @@ void burnish_cap_block_row(const burnish_surface *surface, const burnish_tile *t
                 planes[BURNISH_PLANE_R + k][pixel] = CAP_COLOR * inverse_w;
             }
         }
-        row->hatch[i] = burnish_cap_hatch(cap->number + material_of(surface, id), x, y);
+        row->hatch[i] = burnish_cap_hatch(
+            burnish_hatch_style(cap->number, surface->caps->regions, id >> 1), x, y);
     }
 }
 
@@ -554,10 +551,11 @@ static void cap_fragments(const burnish_surface *surface, const burnish_tile *ti
             scratch->normal[k][i] = cap->normal[k] * scratch->inverse_w[i];
             scratch->color[k][i] = CAP_COLOR * scratch->inverse_w[i];
         }
-        scratch->hatch[i] = cap ? burnish_cap_hatch(cap->number + material_of(surface, id),
-                                                    tile->x + burnish_pixel_x(pixel),
-                                                    tile->y + burnish_pixel_y(pixel))
-                                : BURNISH_NO_CAP;
+        scratch->hatch[i] =
+            cap ? burnish_cap_hatch(
+                      burnish_hatch_style(cap->number, surface->caps->regions, id >> 1),
+                      tile->x + burnish_pixel_x(pixel), tile->y + burnish_pixel_y(pixel))
+                : BURNISH_NO_CAP;
     }
 }
 
