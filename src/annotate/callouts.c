@@ -23,54 +23,40 @@ enum { SEGMENTS = 24, PLACES_MAX = 1024, NOWHERE = PLACES_MAX, ROUNDS = 64 };
 
 /* ---- The list ---- */
 
+static double width_of(const burnish_annotation_label *label) {
+    return label->area.right - label->area.left;
+}
+
 /* What a row says behind its number, cut to a width. Parts that are not visible are paler. */
 static burnish_annotation_label make_row(const burnish_annotation_view *view, size_t i,
                                          double width) {
     const burnish_callout *item = &view->callouts->items[i];
     const char *name = view->parts[item->part].name;
-    char text[BURNISH_LABEL_SIZE + 32];
+    const int is_pale = view->triangles && !item->is_visible;
+    char text[BURNISH_LABEL_SIZE];
     burnish_annotation_label label;
     int length = *name ? snprintf(text, sizeof text, "%zux %s", item->count, name)
                        : snprintf(text, sizeof text, "%zux #%zu", item->count, item->part + 1);
-    const char *dots = "";
+    length = length < BURNISH_LABEL_SIZE ? length : BURNISH_LABEL_SIZE - 1;
     do {
-        length = length < BURNISH_LABEL_SIZE - 4 ? length : BURNISH_LABEL_SIZE - 4;
-        while (length > 0 && ((uint8_t)text[length] & 0xC0) == 0x80) {
-            --length; /* whole characters */
+        while (((uint8_t)text[length] & 0xC0) == 0x80) { /* whole characters */
+            --length;
         }
-        memcpy(text + length, dots, strlen(dots) + 1);
-        label = burnish_annotation_label_at(
-            view, text, (burnish_point){0, 0},
-            view->triangles && !item->is_visible ? BURNISH_LAYER_HIDDEN : BURNISH_LAYER_LINES);
-        dots = "...";
-    } while (label.area.right - label.area.left > width && --length > 0);
+        text[length] = 0;
+        label = burnish_annotation_label_at(view, text, (burnish_point){0, 0},
+                                            is_pale ? BURNISH_LAYER_HIDDEN : BURNISH_LAYER_LINES);
+    } while (width_of(&label) > width && --length > 0);
     return label;
 }
 
 static void add_text(const burnish_annotation_view *view, burnish_annotation_label label,
                      double left, double baseline, burnish_annotation_list *list) {
-    const double width = label.area.right - label.area.left;
+    const double width = width_of(&label);
     label.x = (double)(int)left;
     label.baseline = (double)(int)baseline;
     label.area =
         (burnish_area){label.x, label.baseline - view->text, label.x + width, label.baseline};
     burnish_annotation_add_label(list, &label);
-}
-
-/* The room of balloons and list around the box, as a line. */
-static void reserve_room(const burnish_annotation_view *view, double width,
-                         burnish_annotation_list *list) {
-    const double ring = (GAP + 2 * RADIUS) * view->text;
-    burnish_point low = view->hull[0], high = view->hull[0];
-    for (int i = 1; i < view->hull_count; ++i) {
-        const burnish_point p = view->hull[i];
-        low = (burnish_point){p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y};
-        high = (burnish_point){p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y};
-    }
-    burnish_annotation_add_line(
-        list, (burnish_point){low.x - ring, low.y - ring},
-        (burnish_point){high.x + ring + width + GAP * view->text, high.y + ring}, view->line,
-        BURNISH_LAYER_LINES);
 }
 
 void burnish_annotate_parts_list(const burnish_annotation_view *view,
@@ -84,10 +70,17 @@ void burnish_annotate_parts_list(const burnish_annotation_view *view,
     double width = 0;
     for (size_t i = 0; i < count; ++i) {
         const burnish_annotation_label row = make_row(view, i, most);
-        width = row.area.right - row.area.left > width ? row.area.right - row.area.left : width;
+        width = width_of(&row) > width ? width_of(&row) : width;
+    }
+    for (int i = 0; i < view->hull_count && !list->bounded; ++i) { /* room for list and balloons */
+        const double ring = (GAP + 2 * RADIUS) * text;
+        const burnish_point p = view->hull[i];
+        burnish_annotation_add_line(
+            list, (burnish_point){p.x - ring, p.y - ring},
+            (burnish_point){p.x + ring + (GAP + NUMBER) * text + width, p.y + ring}, view->line,
+            BURNISH_LAYER_LINES);
     }
     if (!list->bounded) {
-        reserve_room(view, NUMBER * text + width, list);
         return;
     }
     const double left = view->width - border - width;
@@ -98,7 +91,7 @@ void burnish_annotate_parts_list(const burnish_annotation_view *view,
         burnish_annotation_label row = make_row(view, i, most);
         add_text(view, row, left, baseline, list);
         row = burnish_annotation_label_at(view, number, (burnish_point){0, 0}, row.layer);
-        add_text(view, row, left - 0.7 * text - row.area.right + row.area.left, baseline, list);
+        add_text(view, row, left - 0.7 * text - width_of(&row), baseline, list);
     }
     list->left_out += all - count;
     list->marks[list->mark_count++] = (burnish_area){

@@ -272,96 +272,73 @@ static burnish_mesh *boxes_of(uint64_t *random, int count) {
     size_t used = 0;
     for (int i = 0; i < count; ++i) {
         double low[3], size[3];
+        used += (size_t)sprintf(text + used, i % 3 ? "o %d box\n" : "o screw.%d\n", i + 1);
         for (int k = 0; k < 3; ++k) {
             low[k] = floor(test_uniform(random, 0, 60));
             size[k] = i % 3 ? 1 + floor(test_uniform(random, 0, 12)) : i == 0 ? 3 : 2;
         }
-        used += (size_t)snprintf(text + used, sizeof text - used,
-                                 i % 3 ? "o %d box\n" : "o screw.%d\n", i + 1);
         for (int k = 0; k < 8; ++k) {
-            used += (size_t)snprintf(text + used, sizeof text - used, "v %g %g %g\n",
-                                     low[0] + (k & 1) * size[0], low[1] + (k >> 1 & 1) * size[1],
-                                     low[2] + (k >> 2) * size[2]);
+            used += (size_t)sprintf(text + used, "v %g %g %g\n", low[0] + (k & 1) * size[0],
+                                    low[1] + (k >> 1 & 1) * size[1], low[2] + (k >> 2) * size[2]);
         }
-        used += (size_t)snprintf(text + used, sizeof text - used,
-                                 "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\nf -6 -2 -1 -5\n"
-                                 "f -8 -4 -2 -6\nf -7 -5 -1 -3\n");
+        used += (size_t)sprintf(text + used, "f -8 -6 -5 -7\nf -4 -3 -1 -2\nf -8 -7 -3 -4\n"
+                                             "f -6 -2 -1 -5\nf -8 -4 -2 -6\nf -7 -5 -1 -3\n");
     }
     return load_bytes(text, used, "boxes.obj", NULL);
 }
 
-/* A leader's start and its balloon's middle. */
-typedef struct balloon {
-    burnish_point start, middle;
-} balloon;
-
-/* The least distance of a point from the leader of a balloon. */
-static double distance_to(burnish_point p, const balloon *b) {
-    const double x = b->middle.x - b->start.x, y = b->middle.y - b->start.y;
-    const double along = ((p.x - b->start.x) * x + (p.y - b->start.y) * y) / (x * x + y * y);
-    const double t = fmin(fmax(along, 0), 1);
-    return hypot(p.x - b->start.x - t * x, p.y - b->start.y - t * y);
-}
-
-/* 1: the ends of b are on different sides of the line through a. */
-static int is_across(const balloon *a, const balloon *b) {
-    const double x = a->middle.x - a->start.x, y = a->middle.y - a->start.y;
-    return (x * (b->start.y - a->start.y) - y * (b->start.x - a->start.x)) *
-               (x * (b->middle.y - a->start.y) - y * (b->middle.x - a->start.x)) <
+/* 1: q and r are on different sides of the line from a to b. */
+static int parts_points(burnish_point a, burnish_point b, burnish_point q, burnish_point r) {
+    return ((b.x - a.x) * (q.y - a.y) - (b.y - a.y) * (q.x - a.x)) *
+               ((b.x - a.x) * (r.y - a.y) - (b.y - a.y) * (r.x - a.x)) <
            0;
 }
 
-/* Entries list all parts, equal ones together, and start within them. Returns balloons. */
-static size_t check_list(const laid_out *made, const burnish_mesh *mesh, size_t boxes,
-                         balloon balloons[]) {
+/* The entries list all parts, equal ones together. Leaders start within their parts and do not
+ * cross; balloons are apart from each other and from the object. Returns how many there are. */
+static size_t check_callouts(const laid_out *made, const burnish_mesh *mesh, size_t boxes) {
+    burnish_point starts[BURNISH_BALLOONS_MAX], middles[BURNISH_BALLOONS_MAX];
+    const double radius = made->view.text; /* less than a balloon's */
+    const int width = (int)made->view.width;
     size_t total = 0, count = 0;
-    for (size_t i = 0; i < made->callouts.count; ++i) {
-        const burnish_callout *item = &made->callouts.items[i];
-        char number[BURNISH_LABEL_SIZE];
-        snprintf(number, sizeof number, "%zu", i + 1);
-        total += item->count;
-        CHECK1(item->count == (item->part == 3 ? (boxes - 1) / 3 : 1));
-        if (item->is_visible) {
-            const uint32_t id = made->view.triangles[item->y * (int)made->view.width + item->x];
-            const size_t part =
-                id == BURNISH_TRIANGLE_NONE ? 1 : burnish_mesh_get_view(mesh)->triangle_parts[id];
-            CHECK(part == item->part || (item->part == 3 && part % 3 == 0), "%zu is at %zu", i,
-                  part);
+    for (size_t i = 0; i < made->list.label_count; ++i) {
+        const burnish_annotation_label *label = &made->list.labels[i];
+        if (label->area.right < made->list.marks[0].left) { /* not of the list */
+            const burnish_callout *item = &made->callouts.items[atoi(label->text) - 1];
+            const uint32_t id = made->view.triangles[item->y * width + item->x];
+            if (CHECK1(item->has_balloon && id != BURNISH_TRIANGLE_NONE)) {
+                const size_t part = burnish_mesh_get_view(mesh)->triangle_parts[id];
+                CHECK1(part == item->part || (item->part == 3 && part % 3 == 0));
+            }
+            starts[count] = (burnish_point){item->x + 0.5, item->y + 0.5};
+            middles[count++] = (burnish_point){(label->area.left + label->area.right) / 2,
+                                               (label->area.top + label->area.bottom) / 2};
         }
-        for (size_t k = 0; k < made->list.label_count && item->has_balloon; ++k) {
-            const burnish_annotation_label *label = &made->list.labels[k];
-            if (strcmp(label->text, number) == 0 &&
-                label->area.right < made->list.marks[0].left) { /* not of the list */
-                balloons[count++] = (balloon){{item->x + 0.5, item->y + 0.5},
-                                              {(label->area.left + label->area.right) / 2,
-                                               (label->area.top + label->area.bottom) / 2}};
+    }
+    for (size_t i = 0; i < made->callouts.count; ++i) {
+        total += made->callouts.items[i].count;
+        CHECK1(made->callouts.items[i].count ==
+               (made->callouts.items[i].part == 3 ? (boxes - 1) / 3 : 1));
+    }
+    CHECK(total == boxes, "%zu of %zu parts", total, boxes);
+    for (size_t i = 0; i < count; ++i) {
+        for (size_t k = 0; k < i; ++k) {
+            CHECK1(hypot(middles[i].x - middles[k].x, middles[i].y - middles[k].y) > 2 * radius);
+            CHECK1(!parts_points(starts[i], middles[i], starts[k], middles[k]) ||
+                   !parts_points(starts[k], middles[k], starts[i], middles[i]));
+        }
+        for (int at = 0; at < width * (int)made->view.height; ++at) {
+            const double away = hypot(at % width - middles[i].x, at / width - middles[i].y);
+            if (away <= radius) {
+                CHECK1(made->view.triangles[at] == BURNISH_TRIANGLE_NONE);
             }
         }
     }
-    CHECK(total == boxes, "%zu of %zu parts", total, boxes);
     return count;
-}
-
-/* Balloons are apart from each other and from the object, and leaders cross neither. */
-static void check_balloons(const laid_out *made, const balloon *balloons, size_t count) {
-    const double radius = made->view.text; /* less than a balloon's */
-    const int width = (int)made->view.width;
-    for (size_t i = 0; i < count * count; ++i) {
-        const balloon *a = &balloons[i / count], *b = &balloons[i % count];
-        CHECK1(a == b || distance_to(b->middle, a) > radius);
-        CHECK1(a == b || !is_across(a, b) || !is_across(b, a));
-    }
-    for (int i = 0; i < width * (int)made->view.height; ++i) {
-        for (size_t k = 0; k < count && made->view.triangles[i] != BURNISH_TRIANGLE_NONE; ++k) {
-            const burnish_point p = balloons[k].middle;
-            CHECK1(hypot(i % width - p.x, i / width - p.y) > radius);
-        }
-    }
 }
 
 static void test_callouts(void) {
     static uint32_t ids[SIDE_MAX * SIDE_MAX];
-    static balloon balloons[BURNISH_BALLOONS_MAX];
     uint64_t random = test_seed(11);
     size_t visible = 0, shown = 0;
     burnish_renderer *renderer = NULL;
@@ -388,12 +365,10 @@ static void test_callouts(void) {
         burnish_list_parts(mesh, &made.view, &made.memory);
         CHECK1(burnish_annotation_lay_out(&made.view, 0, 1, &made.memory, &made.list) ==
                BURNISH_STATUS_OK);
-        const size_t count = check_list(&made, mesh, (size_t)boxes, balloons);
-        check_balloons(&made, balloons, count);
+        shown += check_callouts(&made, mesh, (size_t)boxes);
         for (size_t k = 0; k < made.callouts.count; ++k) {
             visible += (size_t)made.callouts.items[k].is_visible;
         }
-        shown += count;
         drop(&made);
         burnish_mesh_destroy(mesh);
     }

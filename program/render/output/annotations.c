@@ -4,7 +4,6 @@
 #include "render/output/result.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "render/output/projection.h"
@@ -31,41 +30,33 @@ static burnish_annotate_options make_annotations(const render_result *result,
 }
 
 /* Names the entries of the parts list without a number in the picture. */
-static void warn_about_callouts(render_result *result, const render_cell *cell) {
+static void warn_about_callouts(render_result *result, const render_cell *cell, const char *where) {
     const burnish_part *parts = burnish_mesh_get_contents(result->mesh)->parts;
+    const burnish_callouts *list = cell->callouts;
     char names[300] = "";
     size_t count = 0, used = 0;
-    for (size_t i = 0; i < cell->callouts->count; ++i) {
-        if (!cell->callouts->items[i].has_balloon) {
-            used += used + BURNISH_NAME_SIZE + 32 > sizeof names
-                        ? 0
-                        : (size_t)snprintf(names + used, sizeof names - used, "%s%zu %s",
-                                           used ? ", " : "", i + 1,
-                                           parts[cell->callouts->items[i].part].name);
-            ++count;
+    for (size_t i = 0; i < list->count; ++i) {
+        count += !list->items[i].has_balloon;
+        if (!list->items[i].has_balloon && used < 200) {
+            used += (size_t)snprintf(names + used, sizeof names - used, "%s%zu %s",
+                                     used ? ", " : "", i + 1, parts[list->items[i].part].name);
         }
     }
     if (count > 0) {
         render_warn(&result->warnings, 1,
                     "%.300s: --callouts: %zu of %zu parts are hidden or have no room for a number "
                     "in %s, such as %s; use --explode, another camera or a larger picture",
-                    result->settings->input.name, count, cell->callouts->count,
-                    result->cell_count > 1 ? cell->label : "the picture", names);
+                    result->settings->input.name, count, list->count, where, names);
     }
 }
 
 burnish_status render_annotate(render_result *result, render_cell *cell, const float *depth,
                                burnish_error *error) {
     const render_settings *settings = result->settings;
-    burnish_annotate_options annotations = make_annotations(result, cell, depth);
+    const burnish_annotate_options annotations = make_annotations(result, cell, depth);
+    const char *where = result->cell_count > 1 ? cell->label : "the picture";
     if (!annotations.kinds) {
         return BURNISH_STATUS_OK;
-    }
-    if (annotations.kinds & BURNISH_ANNOTATION_CALLOUTS) {
-        annotations.callouts = cell->callouts = malloc(sizeof *cell->callouts);
-        if (!cell->callouts) {
-            return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for callouts");
-        }
     }
     const burnish_pixels pixels = burnish_image_get_pixels(&cell->image);
     size_t left_out = 0;
@@ -76,16 +67,16 @@ burnish_status render_annotate(render_result *result, render_cell *cell, const f
         render_warn(&result->warnings, 1,
                     "%.300s: --annotate: scale: a perspective has no scale, so %s has no bar; use "
                     "--camera-orthographic, or omit it",
-                    settings->input.name, result->cell_count > 1 ? cell->label : "the picture");
+                    settings->input.name, where);
     }
     if (status == BURNISH_STATUS_OK && left_out > 0) {
         render_warn(
             &result->warnings, 1,
             "%.300s: %s has no room for %zu of the annotations; enlarge the picture or its margin",
-            settings->input.name, result->cell_count > 1 ? cell->label : "the picture", left_out);
+            settings->input.name, where, left_out);
     }
     if (status == BURNISH_STATUS_OK && cell->callouts) {
-        warn_about_callouts(result, cell);
+        warn_about_callouts(result, cell, where);
     }
     return status;
 }

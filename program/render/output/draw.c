@@ -22,10 +22,6 @@ static burnish_status draw_mesh(const render_result *result, render_cell *cell, 
     const int needs_coverage = options->counts == BURNISH_COUNTS_AREA && options->ground;
     const int needs_triangles = result->settings->picture.callouts;
     *depth = NULL;
-    if (!needs_depth && !needs_coverage && !needs_triangles) {
-        return burnish_renderer_draw(result->renderer, result->mesh, options, &cell->image,
-                                     &cell->report, error);
-    }
     burnish_status status = burnish_image_create(NULL, &cell->image, options->width, rows,
                                                  options->transparent ? 4 : 3, error);
     if (status != BURNISH_STATUS_OK) {
@@ -40,8 +36,9 @@ static burnish_status draw_mesh(const render_result *result, render_cell *cell, 
     target.triangle_stride = width * sizeof *cell->triangles;
     target.triangles = cell->triangles =
         needs_triangles ? malloc(target.triangle_stride * height) : NULL;
+    cell->callouts = needs_triangles ? calloc(1, sizeof *cell->callouts) : NULL;
     if ((needs_depth && !*depth) || (needs_coverage && !cell->coverage) ||
-        (needs_triangles && !cell->triangles)) {
+        (needs_triangles && (!cell->triangles || !cell->callouts))) {
         status = cli_fail(error, BURNISH_STATUS_MEMORY,
                           "out of memory for %d x %d distances, coverages or triangles",
                           options->width, rows);
