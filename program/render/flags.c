@@ -208,13 +208,12 @@ static const cli_flag flags[] = {
     {DRAW_SWITCH("callouts", "number the parts, and list them", picture.callouts),
      .not_for = HEIR_COMPARE,
      .manual =
-         "Draws balloons with numbers around the object, leaders from them to the parts of the "
-         "input, and on the right the parts list: number, count, name (*#3*: the third part, which "
-         "has none). Equal parts have one number: the same name but for digits at its end, as many "
-         "triangles, and the same area. What the picture does not show is paler in the list and "
-         "has no balloon. A picture has at most 64 balloons, and a list 1000 entries; a warning "
-         "names what is without. Drawing sheets have them in the pictorial view. See *--explode*; "
-         "the list replaces the legend of *--color-by=part*."},
+         "Draws balloons with numbers around the object, leaders to the parts of the input, and a "
+         "list of numbers, counts and names (*#3*: the third part, which has none). Equal parts "
+         "have one number: the same name but for digits at its end, as many triangles, and the "
+         "same area. Parts that the picture hides are paler in the list. There are at most 64 "
+         "balloons and 1000 entries; a warning names what has no balloon. Drawing sheets have them "
+         "in the pictorial view. The list replaces the legend of *--color-by=part*."},
     {DRAW_FLAG("columns", "N", "columns of a sheet", cli_flag_integer, picture.columns),
      .not_for = HEIR_ONE_PICTURE, CLI_RANGE(1, 256), .default_label = "near a square",
      .manual = "Number of cells in a row of a sheet. A sheet has a cell for each view and lobe; "

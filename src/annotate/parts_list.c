@@ -17,12 +17,6 @@ static size_t stem_length(const char *name) {
     return length;
 }
 
-static int are_equal(const burnish_part *a, const burnish_part *b) {
-    const size_t length = stem_length(a->name);
-    return a->triangle_count == b->triangle_count && length == stem_length(b->name) &&
-           memcmp(a->name, b->name, length) == 0;
-}
-
 static size_t part_of(const burnish_mesh_view *view, size_t triangle) {
     return view->triangle_parts ? view->triangle_parts[triangle] : 0;
 }
@@ -47,9 +41,11 @@ static void group_parts(const burnish_annotation_view *view, size_t count, const
         size_t at = areas[i] > 0 ? 0 : BURNISH_CALLOUTS_MAX;
         for (; at < list->count; ++at) {
             const size_t first = list->items[at].part;
+            const burnish_part *a = &view->parts[i], *b = &view->parts[first];
             const double difference = areas[i] - areas[first], most = AREA_TOLERANCE * areas[i];
-            if (difference < most && difference > -most &&
-                are_equal(&view->parts[i], &view->parts[first])) {
+            if (difference < most && difference > -most && a->triangle_count == b->triangle_count &&
+                stem_length(a->name) == stem_length(b->name) &&
+                memcmp(a->name, b->name, stem_length(a->name)) == 0) {
                 break;
             }
         }

@@ -264,7 +264,7 @@ static void test_nothing_overlaps(void) {
 
 /* ---- Callouts ---- */
 
-enum { BOXES_MAX = 40, SIDE_MAX = 700 };
+enum { BOXES_MAX = 40 };
 
 /* An OBJ file of boxes, each a part. Every third is a screw, of which all but the first are equal. */
 static burnish_mesh *boxes_of(uint64_t *random, int count) {
@@ -294,33 +294,26 @@ static int parts_points(burnish_point a, burnish_point b, burnish_point q, burni
            0;
 }
 
-/* The entries list all parts, equal ones together. Leaders start within their parts and do not
- * cross; balloons are apart from each other and from the object. Returns how many there are. */
-static size_t check_callouts(const laid_out *made, const burnish_mesh *mesh, size_t boxes) {
+/* Leaders start within their parts and do not cross; balloons are apart from each other and from the
+ * object. Returns how many there are. */
+static size_t check_balloons(const laid_out *made, const burnish_mesh *mesh) {
     burnish_point starts[BURNISH_BALLOONS_MAX], middles[BURNISH_BALLOONS_MAX];
     const double radius = made->view.text; /* less than a balloon's */
     const int width = (int)made->view.width;
-    size_t total = 0, count = 0;
+    size_t count = 0;
     for (size_t i = 0; i < made->list.label_count; ++i) {
-        const burnish_annotation_label *label = &made->list.labels[i];
-        if (label->area.right < made->list.marks[0].left) { /* not of the list */
-            const burnish_callout *item = &made->callouts.items[atoi(label->text) - 1];
+        const burnish_area *area = &made->list.labels[i].area;
+        if (area->right < made->list.marks[0].left) { /* not of the list */
+            const burnish_callout *item =
+                &made->callouts.items[atoi(made->list.labels[i].text) - 1];
             const uint32_t id = made->view.triangles[item->y * width + item->x];
-            if (CHECK1(item->has_balloon && id != BURNISH_TRIANGLE_NONE)) {
-                const size_t part = burnish_mesh_get_view(mesh)->triangle_parts[id];
-                CHECK1(part == item->part || (item->part == 3 && part % 3 == 0));
-            }
+            const size_t part = burnish_mesh_get_view(mesh)->triangle_parts[id];
+            CHECK1(part == item->part || (item->part == 3 && part % 3 == 0));
             starts[count] = (burnish_point){item->x + 0.5, item->y + 0.5};
-            middles[count++] = (burnish_point){(label->area.left + label->area.right) / 2,
-                                               (label->area.top + label->area.bottom) / 2};
+            middles[count++] =
+                (burnish_point){(area->left + area->right) / 2, (area->top + area->bottom) / 2};
         }
     }
-    for (size_t i = 0; i < made->callouts.count; ++i) {
-        total += made->callouts.items[i].count;
-        CHECK1(made->callouts.items[i].count ==
-               (made->callouts.items[i].part == 3 ? (boxes - 1) / 3 : 1));
-    }
-    CHECK(total == boxes, "%zu of %zu parts", total, boxes);
     for (size_t i = 0; i < count; ++i) {
         for (size_t k = 0; k < i; ++k) {
             CHECK1(hypot(middles[i].x - middles[k].x, middles[i].y - middles[k].y) > 2 * radius);
@@ -328,8 +321,7 @@ static size_t check_callouts(const laid_out *made, const burnish_mesh *mesh, siz
                    !parts_points(starts[k], middles[k], starts[i], middles[i]));
         }
         for (int at = 0; at < width * (int)made->view.height; ++at) {
-            const double away = hypot(at % width - middles[i].x, at / width - middles[i].y);
-            if (away <= radius) {
+            if (hypot(at % width - middles[i].x, at / width - middles[i].y) < radius) {
                 CHECK1(made->view.triangles[at] == BURNISH_TRIANGLE_NONE);
             }
         }
@@ -337,13 +329,14 @@ static size_t check_callouts(const laid_out *made, const burnish_mesh *mesh, siz
     return count;
 }
 
+/* Entries list all parts, equal ones together. */
 static void test_callouts(void) {
-    static uint32_t ids[SIDE_MAX * SIDE_MAX];
+    enum { WIDTH = 600, HEIGHT = 450 };
+    static uint32_t ids[WIDTH * HEIGHT];
     uint64_t random = test_seed(11);
     size_t visible = 0, shown = 0;
     burnish_renderer *renderer = NULL;
-    burnish_error error = {BURNISH_STATUS_OK, ""};
-    CHECK_OK(burnish_renderer_create(NULL, &renderer, &error), error);
+    CHECK1(burnish_renderer_create(NULL, &renderer, NULL) == BURNISH_STATUS_OK);
     for (int i = 0; i < 40; ++i) {
         const int boxes = 7 + (int)test_uniform(&random, 0, BOXES_MAX - 7);
         burnish_mesh *mesh = boxes_of(&random, boxes);
@@ -351,24 +344,29 @@ static void test_callouts(void) {
         burnish_render_options options = burnish_render_options_default();
         burnish_target target = burnish_target_default();
         laid_out made;
-        options.width = 300 + (int)test_uniform(&random, 0, SIDE_MAX - 300);
-        options.height = 300 + (int)test_uniform(&random, 0, SIDE_MAX - 300);
+        size_t total = 0;
         framing.azimuth = test_uniform(&random, 0, 360);
-        lay_out(mesh, framing, BURNISH_ANNOTATION_CALLOUTS, options.width, options.height, &made);
+        lay_out(mesh, framing, BURNISH_ANNOTATION_CALLOUTS, WIDTH, HEIGHT, &made);
         drop(&made);
         options.camera = made.camera;
+        options.width = WIDTH;
+        options.height = HEIGHT;
         target.triangles = ids;
-        target.triangle_stride = (size_t)options.width * sizeof *ids;
-        CHECK_OK(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, &error),
-                 error);
+        target.triangle_stride = WIDTH * sizeof *ids;
+        CHECK1(burnish_renderer_draw_into(renderer, mesh, &options, &target, NULL, NULL) ==
+               BURNISH_STATUS_OK);
         made.view.triangles = ids;
         burnish_list_parts(mesh, &made.view, &made.memory);
         CHECK1(burnish_annotation_lay_out(&made.view, 0, 1, &made.memory, &made.list) ==
                BURNISH_STATUS_OK);
-        shown += check_callouts(&made, mesh, (size_t)boxes);
+        shown += check_balloons(&made, mesh);
         for (size_t k = 0; k < made.callouts.count; ++k) {
-            visible += (size_t)made.callouts.items[k].is_visible;
+            const burnish_callout *item = &made.callouts.items[k];
+            CHECK1(item->count == (item->part == 3 ? (size_t)(boxes - 1) / 3 : 1));
+            visible += (size_t)item->is_visible;
+            total += item->count;
         }
+        CHECK(total == (size_t)boxes, "%zu of %d parts", total, boxes);
         drop(&made);
         burnish_mesh_destroy(mesh);
     }
