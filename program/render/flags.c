@@ -553,11 +553,13 @@ static const cli_flag flags[] = {
                render_flag_clip, input.clip),
      .value_type = CLI_TYPE_VECTOR, .not_for = HEIR_COMPARE,
      .aliases = "clipping,clip-plane,cut,section", .repeats = 1,
-     .manual = "Cuts away everything beyond a plane: points with _X_ x + _Y_ y + _Z_ z > _D_, in "
-               "the coordinates of the input. *--clip=0,0,1,5* removes everything above z = 5. Can "
-               "be repeated up to 6 times. Cuts through a solid, a closed mesh with consistent "
-               "winding, are filled and hatched; cuts through other meshes and transparent "
-               "surfaces are not. The camera frames the rest."},
+     .manual =
+         "Cuts away everything beyond a plane: points with _X_ x + _Y_ y + _Z_ z > _D_, in "
+         "the coordinates of the input. *--clip=0,0,1,5* removes everything above z = 5. Can "
+         "be repeated up to 6 times. Cuts through solids, whose parts are closed but for gaps of 1 "
+         "% and wound consistently, are filled and hatched, parts in different ways; cuts "
+         "through other meshes and transparent surfaces are not. The camera frames the "
+         "rest."},
     {LOAD_FLAG("color-by", "VALUE", "height, normal, part (feature), filament (tool) or a property",
                cli_flag_text, input.coloring.by),
      .not_for = HEIR_COMPARE, .svg = CLI_SVG_REFUSED, .also = "coloring-array,scalars",

@@ -10,6 +10,9 @@
 #include "core/vec3.h"
 #include "mesh/data/mesh.h"
 
+/* Of a solid's volume: what gaps may change of it. */
+#define GAP_TOLERANCE 0.01
+
 /* The result of the cut. */
 typedef struct cutter {
     const burnish_mesh *mesh;
@@ -325,17 +328,74 @@ static double volume_of(const burnish_mesh_view *view) {
     return sum / 6;
 }
 
+/* The sum of x_i n_j over a part's triangles, whose normals n are as long as twice their areas. For a
+ * closed surface it is twice the volume for i = j, else 0, from any origin. */
+typedef struct part_sums {
+    int has_origin;
+    burnish_vec3 origin; /* a corner: far from the middle of any hole */
+    double products[3][3];
+} part_sums;
+
+static void sum_triangle(const burnish_vec3 p[3], part_sums *sums) {
+    sums->origin = sums->has_origin ? sums->origin : p[0];
+    sums->has_origin = 1;
+    const burnish_vec3 n =
+        burnish_vec3_cross(burnish_vec3_sub(p[1], p[0]), burnish_vec3_sub(p[2], p[0]));
+    const burnish_vec3 x = burnish_vec3_sub(
+        burnish_vec3_scale(burnish_vec3_add(burnish_vec3_add(p[0], p[1]), p[2]), 1.0 / 3),
+        sums->origin);
+    const double normal[3] = {n.x, n.y, n.z}, middle[3] = {x.x, x.y, x.z};
+    for (int k = 0; k < 9; ++k) {
+        sums->products[k / 3][k % 3] += middle[k / 3] * normal[k % 3];
+    }
+}
+
+/* The sign of the volume if gaps are too small to be seen, else 0. */
+static int sign_of_volume(const part_sums *sums) {
+    const double volume = (sums->products[0][0] + sums->products[1][1] + sums->products[2][2]) / 3;
+    const double most = GAP_TOLERANCE * (volume < 0 ? -volume : volume);
+    int sign = (volume > 0) - (volume < 0);
+    for (int k = 0; k < 9; ++k) {
+        const double off = sums->products[k / 3][k % 3] - (k % 4 == 0 ? volume : 0);
+        sign = off <= most && off >= -most ? sign : 0;
+    }
+    return sign;
+}
+
+/* The inside of a mesh whose parts are closed but for gaps, and wound alike. */
+static burnish_inside find_inside_of_parts(const burnish_mesh *mesh, burnish_memory *memory) {
+    const burnish_mesh_view *view = &mesh->view;
+    const size_t count = mesh->contents.part_count + (mesh->contents.part_count == 0);
+    part_sums *sums = burnish_allocate_zeroed(memory, count, sizeof *sums, "parts of a cut");
+    int signs = 0; /* bits: a volume is below 0, 0 and above 0 */
+    for (size_t i = 0; i < view->triangle_count && sums; ++i) {
+        burnish_vec3 p[3];
+        for (int k = 0; k < 3; ++k) {
+            p[k] =
+                burnish_vec3_loadf(view->positions + 3 * (size_t)view->indices[3 * i + (size_t)k]);
+        }
+        sum_triangle(p, &sums[view->triangle_parts ? view->triangle_parts[i] : 0]);
+    }
+    for (size_t i = 0; i < count && sums; ++i) {
+        signs |= sums[i].has_origin ? 1 << (1 + sign_of_volume(&sums[i])) : 0;
+    }
+    burnish_release(memory->context, sums);
+    return signs == 4   ? BURNISH_INSIDE_BACK
+           : signs == 1 ? BURNISH_INSIDE_FRONT
+                        : BURNISH_INSIDE_UNKNOWN;
+}
+
 /* The side of the triangles that faces the inside of an uncut mesh. It is known if the mesh is
  * closed and wound consistently, and no triangle was turned to match its normals; the volume shows
  * that. */
-static burnish_inside find_inside(const burnish_mesh *mesh) {
+static burnish_inside find_inside(const burnish_mesh *mesh, burnish_memory *memory) {
     const burnish_mesh_facts *facts = mesh->has_facts ? &mesh->facts : NULL;
     const double volume = facts && facts->is_solid ? volume_of(&mesh->view) : 0;
     const double size = volume < 0 ? -volume : volume;
     const double expected = facts && facts->volume < 0 ? -facts->volume : facts ? facts->volume : 0;
     const double difference = size > expected ? size - expected : expected - size;
     if (volume == 0 || difference > 1e-4 * expected) {
-        return BURNISH_INSIDE_UNKNOWN;
+        return facts ? find_inside_of_parts(mesh, memory) : BURNISH_INSIDE_UNKNOWN;
     }
     return volume > 0 ? BURNISH_INSIDE_BACK : BURNISH_INSIDE_FRONT;
 }
@@ -396,8 +456,13 @@ burnish_status burnish_mesh_clip(burnish_mesh *mesh, const burnish_clip_plane *p
                                   "clip: the mesh only touches the plane; change its last number");
         }
     }
+    burnish_inside inside = view->inside;
+    if (status == BURNISH_STATUS_OK && view->cut_count == 0) {
+        inside = find_inside(mesh, &memory);
+        status = memory.status;
+    }
     if (status == BURNISH_STATUS_OK) {
-        view->inside = view->cut_count == 0 ? find_inside(mesh) : view->inside;
+        view->inside = inside;
         view->cuts[view->cut_count++] = *plane;
         exchange_result(mesh, &cut);
     }

@@ -129,6 +129,11 @@ check "a part has its colour" [ "$(hash two.obj --size=64 --color-by=part --no-l
 gives 0 render three.obj --size=300 --callouts --look=drawing --json -o a.svg
 same "callouts" "$(tr -d '\n\t ' <"$out" | grep -o '"count":1,"part":[0-9],"point":\[[0-9,]*\],"balloon":true' | wc -l)" 3
 same "rows and balloons" "$(grep -cE 'aria-label="(1x (base|lid|screw.1)|[123])"' a.svg)" 9
+for gap in 0 0.001 0.1; do # below a block without its lower side
+    { block 4 2 1 | grep -vx 'f 4 3 2 1'; printf 'v %s -'$gap'\n' '0 0' '4 0' '4 2' '0 2'; echo f -1 -2 -3 -4; } >gap.obj
+    run render gap.obj --clip=0,-1,0,-1 --size=64 --json -o a.png
+    same "a gap of $gap" "$(json filled)" "$(case $gap in 0.1) echo false ;; *) echo true ;; esac)"
+done
 gives 0 render three.obj --look=drawing --clip=0,1,0,1.5 -o a.svg
 same "hatching of parts" "$(grep -c '<path fill="none" stroke' a.svg)" 3
 expect 2 'burnish: --callouts: a turntable shows only one view and one lobe; omit the flag' render three.obj --callouts --turntable=a.gif
