@@ -311,23 +311,6 @@ static void exchange_result(burnish_mesh *mesh, cutter *cut) {
     burnish_mesh_update_view(mesh);
 }
 
-/* Sum of a . (b x c) / 6, measured from the middle of the bounds. */
-static double volume_of(const burnish_mesh_view *view) {
-    double sum = 0, middle[3];
-    for (int k = 0; k < 3; ++k) {
-        middle[k] = ((double)view->bounds_min[k] + (double)view->bounds_max[k]) * 0.5;
-    }
-    for (size_t i = 0; i < view->triangle_count; ++i) {
-        burnish_vec3 p[3];
-        for (int k = 0; k < 3; ++k) {
-            const float *from = view->positions + 3 * (size_t)view->indices[3 * i + (size_t)k];
-            p[k] = burnish_vec3_sub(burnish_vec3_loadf(from), burnish_vec3_load(middle));
-        }
-        sum += burnish_vec3_dot(p[0], burnish_vec3_cross(p[1], p[2]));
-    }
-    return sum / 6;
-}
-
 /* The sum of x_i n_j over a part's triangles, whose normals n are as long as twice their areas. For a
  * closed surface it is twice the volume for i = j, else 0, from any origin. */
 typedef struct part_sums {
@@ -362,19 +345,24 @@ static int sign_of_volume(const part_sums *sums) {
     return sign;
 }
 
-/* The inside of a mesh whose parts are closed but for gaps, and wound alike. */
-static burnish_inside find_inside_of_parts(const burnish_mesh *mesh, burnish_memory *memory) {
+/* The side of the triangles that faces the inside of an uncut mesh. It is known if the mesh was
+ * measured, and it is closed or each of its parts is but for gaps. Triangles that were turned to match
+ * their normals change the sums. */
+static burnish_inside find_inside(const burnish_mesh *mesh, burnish_memory *memory) {
     const burnish_mesh_view *view = &mesh->view;
-    const size_t count = mesh->contents.part_count + (mesh->contents.part_count == 0);
-    part_sums *sums = burnish_allocate_zeroed(memory, count, sizeof *sums, "parts of a cut");
+    const uint16_t *parts = mesh->facts.is_solid ? NULL : view->triangle_parts;
+    const size_t count = parts ? mesh->contents.part_count : 1;
     int signs = 0; /* bits: a volume is below 0, 0 and above 0 */
+    if (!mesh->has_facts) {
+        return BURNISH_INSIDE_UNKNOWN;
+    }
+    part_sums *sums = burnish_allocate_zeroed(memory, count, sizeof *sums, "parts of a cut");
     for (size_t i = 0; i < view->triangle_count && sums; ++i) {
         burnish_vec3 p[3];
         for (int k = 0; k < 3; ++k) {
-            p[k] =
-                burnish_vec3_loadf(view->positions + 3 * (size_t)view->indices[3 * i + (size_t)k]);
+            p[k] = burnish_vec3_loadf(view->positions + 3 * (size_t)view->indices[3 * i + k]);
         }
-        sum_triangle(p, &sums[view->triangle_parts ? view->triangle_parts[i] : 0]);
+        sum_triangle(p, &sums[parts ? parts[i] : 0]);
     }
     for (size_t i = 0; i < count && sums; ++i) {
         signs |= sums[i].has_origin ? 1 << (1 + sign_of_volume(&sums[i])) : 0;
@@ -383,21 +371,6 @@ static burnish_inside find_inside_of_parts(const burnish_mesh *mesh, burnish_mem
     return signs == 4   ? BURNISH_INSIDE_BACK
            : signs == 1 ? BURNISH_INSIDE_FRONT
                         : BURNISH_INSIDE_UNKNOWN;
-}
-
-/* The side of the triangles that faces the inside of an uncut mesh. It is known if the mesh is
- * closed and wound consistently, and no triangle was turned to match its normals; the volume shows
- * that. */
-static burnish_inside find_inside(const burnish_mesh *mesh, burnish_memory *memory) {
-    const burnish_mesh_facts *facts = mesh->has_facts ? &mesh->facts : NULL;
-    const double volume = facts && facts->is_solid ? volume_of(&mesh->view) : 0;
-    const double size = volume < 0 ? -volume : volume;
-    const double expected = facts && facts->volume < 0 ? -facts->volume : facts ? facts->volume : 0;
-    const double difference = size > expected ? size - expected : expected - size;
-    if (volume == 0 || difference > 1e-4 * expected) {
-        return facts ? find_inside_of_parts(mesh, memory) : BURNISH_INSIDE_UNKNOWN;
-    }
-    return volume > 0 ? BURNISH_INSIDE_BACK : BURNISH_INSIDE_FRONT;
 }
 
 static burnish_status check_clip(const burnish_mesh *mesh, const burnish_clip_plane *plane,
