@@ -1,4 +1,4 @@
-/* Many inputs of `burnish render`: a batch without a report. */
+/* Many inputs of `burnish render`: a batch that draws all and remembers nothing. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -63,6 +63,7 @@ burnish_status batch_draw_inputs(const render_settings *settings, cli_call *call
                            .jobs = settings->job.threads,
                            .force = 1,
                            .has_no_report = !settings->output.json,
+                           .is_render = 1,
                            .no_sandbox = is_unlocked(call)};
     char standard[64], *folder = NULL;
     burnish_status status = check_many(settings, error);

@@ -193,7 +193,7 @@ static found *find_reports(const batch *b, size_t *count) {
 burnish_status batch_read_past(batch *b, burnish_error *error) {
     batch_past *past = &b->past;
     size_t count = 0;
-    if (!b->report || strcmp(b->report, "-") == 0) {
+    if (!b->report || b->settings->is_render || strcmp(b->report, "-") == 0) {
         return BURNISH_STATUS_OK;
     }
     char *head = batch_head_line(b);
@@ -257,7 +257,9 @@ char *batch_head_line(const batch *b) {
 
 void batch_add_seconds(const batch *b, cJSON *object, double seconds, int *failed) {
     if (!b->settings->no_seconds) {
-        cli_json_add(object, "seconds", cli_json_seconds(seconds), failed);
+        cJSON *times = cJSON_CreateObject();
+        cli_json_add(times, "total", cli_json_seconds(seconds), failed);
+        cli_json_add(object, "seconds", times, failed);
     }
 }
 
@@ -294,16 +296,16 @@ burnish_status batch_write_report(batch *b, burnish_error *error) {
     }
     FILE *stream = cli_open_memory(&text, &size);
     burnish_status status = BURNISH_STATUS_OK;
-    if (stream && head) {
+    if (stream && head && !b->settings->is_render) {
         fprintf(stream, "%.*s", (int)strlen(head) - 1, head);
         if (b->passed_over > 0) {
             fprintf(stream, ",\"passed_over\":%zu", b->passed_over);
         }
         fprintf(stream, "}\n");
-        for (size_t i = 0; i < b->list.count; ++i) {
-            if (b->list.items[i].line) {
-                fprintf(stream, "%s\n", b->list.items[i].line);
-            }
+    }
+    for (size_t i = 0; i < b->list.count && stream; ++i) {
+        if (b->list.items[i].line) {
+            fprintf(stream, "%s\n", b->list.items[i].line);
         }
     }
     if (!stream || cli_close_memory(stream, &text, &size) != 0 || !head) {

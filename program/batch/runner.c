@@ -36,6 +36,7 @@
 #include "sandbox/process.h"
 
 enum { WARNINGS_MAX = 8, WARNING_BYTES = 240, FILES_MAX = 64, PLATES_MAX = 64, FILAMENTS_MAX = 64 };
+enum { REPORT_BYTES = 1 << 20 };
 
 /* A worker's results, in memory that it shares with its runner. The runner does not trust them and
  * checks them before use. */
@@ -69,6 +70,7 @@ typedef struct files {
 typedef struct runner {
     const batch *b;
     facts *shared;
+    char *report; /* REPORT_BYTES after *shared: the line of `burnish render --json`, if wanted */
 } runner;
 
 /* ---- Hashes ---- */
@@ -162,7 +164,7 @@ static int is_unchanged(const batch *b, const batch_item *item, const struct bat
     }
     cJSON *object = cJSON_Parse(past->line);
     const int is_same = object && strcmp(batch_text(object, "status"), "done") == 0 &&
-                        is_hash(batch_text(object, "hash"), hash) &&
+                        is_hash(batch_text(object, "input_hash"), hash) &&
                         !cJSON_HasObjectItem(object, "uncertain") &&
                         has_same_files(object, item->input, b->settings->render.input.load.root);
     cJSON_Delete(object);
@@ -190,7 +192,8 @@ static void record_contents(facts *f, const burnish_mesh *mesh) {
 }
 
 static void record_result(void *context, const render_result *result) {
-    facts *f = context;
+    const runner *r = context;
+    facts *f = r->shared;
     const burnish_mesh_info *info = burnish_mesh_get_info(result->mesh);
     const burnish_mesh_view *view = burnish_mesh_get_view(result->mesh);
     f->picture = result->hash;
@@ -224,6 +227,14 @@ static void record_result(void *context, const render_result *result) {
     record_contents(f, result->mesh);
     f->unmet = result->unmet;
     f->is_drawn = 1;
+    if (result->settings->job.is_reported) {
+        char *line = render_json_line(result);
+        if (!line || snprintf(r->report, REPORT_BYTES, "%s", line) >= REPORT_BYTES) {
+            f->is_drawn = 0;
+            snprintf(f->message, sizeof f->message, "its report is too long; draw it alone");
+        }
+        free(line);
+    }
 }
 
 /* Draws, then ends the process with the exit code of `burnish render`. */
@@ -277,6 +288,7 @@ static burnish_status run_worker(const runner *r, render_settings *settings, fil
                                .context = seen,
                                .ended = &ended};
     memset(r->shared, 0, sizeof *r->shared);
+    *r->report = 0;
     cli_limit_child_seconds(settings->job.max_seconds.value);
     cli_set_child_memory(settings->job.max_memory);
     burnish_status status = settings->job.sandbox ? sandbox_begin(&plan, code, &error)
@@ -443,8 +455,8 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
     batch_add_names(item, object, &failed);
     cli_json_add(object, "status", cJSON_CreateString("done"), &failed);
     cli_json_add(object, "bytes", cli_json_count((size_t)item->bytes), &failed);
-    batch_add_hash(object, "hash", hash, &failed);
-    batch_add_hash(object, "picture", f->picture, &failed);
+    batch_add_hash(object, "input_hash", hash, &failed);
+    batch_add_hash(object, "hash", f->picture, &failed);
     cli_json_add(object, "format",
                  cJSON_CreateString(has_format
                                         ? import_format_word(item->input,
@@ -473,6 +485,17 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
     return cli_json_string(object, failed, 0);
 }
 
+/* The line of `burnish render --json`; NULL if the worker wrote no such thing. It is not printed
+ * again, because cJSON rounds. */
+static char *render_line(const runner *r) {
+    r->report[REPORT_BYTES - 1] = 0;
+    cli_clean(r->report);
+    cJSON *object = cJSON_Parse(r->report);
+    char *line = object ? strdup(r->report) : NULL;
+    cJSON_Delete(object);
+    return line;
+}
+
 /* The settings of one item; is_ours: an earlier run has drawn it. */
 static void set_item(const batch *b, const batch_item *item, int is_ours,
                      render_settings *settings) {
@@ -490,7 +513,7 @@ static void set_item(const batch *b, const batch_item *item, int is_ours,
 }
 
 /* Returns the line, to be freed, and fills *reply, which is sent before it. */
-static char *run_item(const runner *r, uint32_t index, batch_reply *reply) {
+static char *run_item(runner *r, uint32_t index, batch_reply *reply) {
     const batch_item *item = &r->b->list.items[index];
     const struct batch_past_line *past = batch_past_line(&r->b->past, item->id);
     const double start = burnish_seconds_now();
@@ -510,8 +533,9 @@ static char *run_item(const runner *r, uint32_t index, batch_reply *reply) {
         return strdup(past->line);
     }
     set_item(r->b, item, past != NULL, &settings);
+    settings.job.is_reported = r->b->settings->is_render && r->b->report;
     settings.job.on_result = record_result;
-    settings.job.user_data = r->shared;
+    settings.job.user_data = r;
     r->shared->is_drawn = 0;
     if (status == BURNISH_STATUS_OK) {
         status = make_output_folders(r->b, item->output, &error);
@@ -540,14 +564,17 @@ static char *run_item(const runner *r, uint32_t index, batch_reply *reply) {
     }
     const double seconds = burnish_seconds_now() - start;
     char *text = reply->failed ? batch_failed_line(r->b, item, code, error.text, seconds)
-                               : done_line(r->b, item, hash, &result, &seen, seconds);
+                 : settings.job.is_reported ? render_line(r)
+                                            : done_line(r->b, item, hash, &result, &seen, seconds);
     release_files(&seen);
     return text;
 }
 
 void batch_runner(const batch *b, int channel) {
-    runner r = {
-        b, mmap(NULL, sizeof(facts), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)};
+    runner r = {.b = b,
+                .shared = mmap(NULL, sizeof(facts) + REPORT_BYTES, PROT_READ | PROT_WRITE,
+                               MAP_SHARED | MAP_ANONYMOUS, -1, 0)};
+    r.report = (char *)(r.shared + 1);
     uint32_t index;
     int is_there = 1;
     while (is_there && r.shared != MAP_FAILED && channel_read(channel, &index, sizeof index)) {

@@ -34,6 +34,7 @@ typedef struct batch_settings {
     int recursive, jobs, force, index, no_sandbox, no_seconds;
     batch_part part;
     int has_no_report; /* 1: no report is written */
+    int is_render;     /* 1: the report has the lines of `burnish render --json`, and no others */
     cli_given given;   /* flags that render does not have */
 } batch_settings;
 

@@ -233,7 +233,7 @@ static burnish_status pool_work(pool *p, struct pollfd *ready, burnish_error *er
 /* Starts a report that survives a crash: lines of earlier runs first, then each new line on arrival. */
 static burnish_status open_report(pool *p, burnish_error *error) {
     const batch *b = p->b;
-    if (!b->report || strcmp(b->report, "-") == 0) {
+    if (!b->report || b->settings->is_render || strcmp(b->report, "-") == 0) {
         return BURNISH_STATUS_OK;
     }
     char *head = batch_head_line(b);

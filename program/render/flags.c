@@ -729,7 +729,7 @@ const cli_command render_command = {
         "contradict each other, and flags for shading in an SVG or PDF, are errors.\nSeveral "
         "inputs are drawn as *burnish batch* does: one picture and one process per input, "
         "sandboxed unless *--no-sandbox* is given, *--threads* at a time. Inputs that fail are "
-        "listed, and the exit code is 11. *--json* is then the report of a batch. All pictures are "
+        "listed, and the exit code is 11. *--json* has a line for each. All pictures are "
         "drawn, also unchanged ones, which *burnish batch* skips.",
     .operands_max = SIZE_MAX,
     .flags = flags,

@@ -200,8 +200,10 @@ const cli_section render_sections[] = {
      .terms = plane_terms},
     {.heading = "JSON OUTPUT",
      .text =
-         "One object. Numbers read back as exactly the values that were used. It is printed before "
-         "the picture replaces an older one: if printing fails, the older picture stays.",
+         "One object for each input, in one line each if there are several inputs. One of several "
+         "that failed has the line of a failed input in the report of a batch instead. Numbers read back as exactly the values "
+         "that were used. The object of a single input is printed before the picture replaces an "
+         "older one: if printing fails, the older picture stays.",
      .terms = json_terms},
     {.heading = "IN PLACE OF F3D",
      .text = "The long options of *f3d* are accepted: those with another name here are translated, "

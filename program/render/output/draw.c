@@ -110,14 +110,15 @@ burnish_status render_draw_cell(render_result *result, render_cell *cell, burnis
     const render_output_settings *output = &result->settings->output;
     burnish_render_options *options = result->options;
     float *depth = NULL;
-    options->counts = output->json ? BURNISH_COUNTS_AREA : BURNISH_COUNTS_PIXELS;
+    const int is_reported = output->json || result->settings->job.is_reported;
+    options->counts = is_reported ? BURNISH_COUNTS_AREA : BURNISH_COUNTS_PIXELS;
     burnish_status status = draw_pixels(result, cell, &depth, error);
     if (status != BURNISH_STATUS_OK) {
         free(cell->coverage);
         free(cell->triangles);
         return status;
     }
-    if (output->json) {
+    if (is_reported) {
         cell->tones = render_measure_tones(&cell->image, cell->coverage,
                                            cell->report.covered_pixels, 1, options);
     }

@@ -299,38 +299,45 @@ static void add_run(cJSON *root, const render_result *result, int *failed) {
                  failed);
 }
 
-static burnish_status print_json(FILE *stream, const render_result *result, burnish_error *error) {
-    int failed = 0;
+static cJSON *describe_result(const render_result *result, int *failed) {
     cJSON *root = cJSON_CreateObject();
-    cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), &failed);
-    add_mesh(root, result, &failed);
+    cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), failed);
+    add_mesh(root, result, failed);
     if (result->cell_count > 1) {
-        add_cells(root, result, &failed);
+        add_cells(root, result, failed);
     } else {
         if (result->cells[0].view != VIEW_FREE) {
             cli_json_add(root, "view", cJSON_CreateString(render_view_name(result->cells[0].view)),
-                         &failed);
+                         failed);
         }
-        add_picture(root, result, &result->cells[0], &failed);
+        add_picture(root, result, &result->cells[0], failed);
     }
     if (result->settings->output.turntable) {
-        cli_json_add(root, "frames", cJSON_CreateNumber(result->settings->output.frames), &failed);
-        cli_json_add(root, "fps", cJSON_CreateNumber(result->settings->output.fps), &failed);
+        cli_json_add(root, "frames", cJSON_CreateNumber(result->settings->output.frames), failed);
+        cli_json_add(root, "fps", cJSON_CreateNumber(result->settings->output.fps), failed);
         const double length = burnish_mesh_get_info(result->mesh)->animation_seconds;
-        cli_json_add(root, "animation_seconds", cli_json_seconds(length), &failed);
+        cli_json_add(root, "animation_seconds", cli_json_seconds(length), failed);
     }
     if (result->settings->output.planes.count > 0) {
-        add_planes(root, result, &failed);
+        add_planes(root, result, failed);
     }
-    add_run(root, result, &failed);
-    return cli_json_print(stream, root, failed, error);
+    add_run(root, result, failed);
+    return root;
+}
+
+char *render_json_line(const render_result *result) {
+    int failed = 0;
+    cJSON *root = describe_result(result, &failed);
+    return cli_json_string(root, failed, 0);
 }
 
 burnish_status render_write_json(const render_result *result, burnish_error *error) {
     cli_output output;
+    int failed = 0;
     burnish_status status = cli_output_begin(&output, error);
     if (status == BURNISH_STATUS_OK) {
-        status = print_json(output.stream, result, error);
+        cJSON *root = describe_result(result, &failed);
+        status = cli_json_print(output.stream, root, failed, error);
         status = cli_output_end(&output, result->settings->output.json, status, error);
     }
     return status;

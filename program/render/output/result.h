@@ -131,6 +131,9 @@ cJSON *render_camera_object(const burnish_camera *camera, const double origin[3]
 /* Writes the JSON object to the file of --json. Errors: MEMORY, WRITE. */
 burnish_status render_write_json(const render_result *result, burnish_error *error);
 
+/* The same object in one line, to be freed; NULL when out of memory. */
+char *render_json_line(const render_result *result);
+
 /* Prints one line of milliseconds on standard error. */
 void render_print_timing(const render_seconds *seconds);
 

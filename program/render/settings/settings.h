@@ -261,6 +261,7 @@ typedef struct render_job_settings {
     uint64_t max_memory; /* 0: no limit */
     int timing, quiet;
     int is_one_of_many; /* 1: a batch warns about flags itself */
+    int is_reported;    /* 1: on_result takes the object of --json */
 
     /* Receives the result once the picture is drawn, before the file is in place; NULL: none. */
     void (*on_result)(void *user_data, const struct render_result *result);
