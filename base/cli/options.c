@@ -107,8 +107,7 @@ burnish_status cli_fail_unknown(burnish_error *error, const char *where, const c
                     where, typed, kind, lister);
 }
 
-/* Whether the name is an item of a list with commas; the list can be NULL. */
-static int in_list(const char *list, const char *name, size_t length) {
+int cli_in_list(const char *list, const char *name, size_t length) {
     while (list) { /* called often: a session sets flags for every picture */
         if (strncmp(list, name, length) == 0 && (list[length] == ',' || list[length] == 0)) {
             return 1;
@@ -164,7 +163,7 @@ const cli_flag *cli_find_flag(const cli_command *command, const char *name, size
     const cli_flag *flag;
     for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
         if ((strlen(flag->name) == length && memcmp(flag->name, name, length) == 0) ||
-            in_list(flag->also, name, length)) {
+            cli_in_list(flag->also, name, length)) {
             return flag;
         }
     }
@@ -200,7 +199,7 @@ static const char *flag_name_at(const void *list, size_t index) {
 static const char *flag_of_alias(const cli_command *command, const char *name) {
     const cli_flag *flag;
     for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
-        if (in_list(flag->aliases, name, strlen(name))) {
+        if (cli_in_list(flag->aliases, name, strlen(name))) {
             return flag->name;
         }
     }
@@ -379,8 +378,10 @@ static burnish_status parse_short(const cli_command *command, const char *argume
                                   const cli_flag **found, const char **text, burnish_error *error) {
     const cli_flag *flag = find_letter(command, argument[1]);
     if (!flag) {
-        const char letter[] = {'-', argument[1], 0};
-        return fail_unknown(command, argument[0] == '-' ? argument : letter, error);
+        const char letter[] = {'-', argument[1], 0}, *word = at->argv[at->next - 1];
+        const int is_word = argument == word || flag_of_alias(command, word + 1) ||
+                            cli_find_flag(command, word + 1, strlen(word + 1));
+        return fail_unknown(command, is_word ? word : letter, error); /* "-resize" */
     }
     *found = flag;
     *text = NULL;

@@ -153,6 +153,7 @@ typedef struct cli_command cli_command;
 /* A subcommand. */
 struct cli_command {
     const char *name;         /* as typed: "render" */
+    const char *aliases;      /* names in other programs, between commas: only for hints */
     const char *program;      /* the program that runs it, "burnish-lobe"; NULL: this one */
     const char *operand;      /* placeholder of the operand; "" for none */
     const char *summary;      /* one line */
@@ -176,6 +177,9 @@ struct cli_command {
 /* Whether a file's name is one of the program's inputs: a mesh. No report gets such a name, and it is
  * no short flag. The program sets it before it parses; NULL: there are no such names. */
 extern int (*cli_is_input_name)(const char *name);
+
+/* Whether the name is an item of a list with commas; the list can be NULL. */
+int cli_in_list(const char *list, const char *name, size_t length);
 
 /* Whether a flag of the command was given; settings are the command's, or begin with them. */
 int cli_is_given(const cli_command *command, const void *settings, const char *name);

@@ -60,6 +60,10 @@ const cli_command *cli_find_command(const cli_command *const *commands, const ch
         }
     }
     const char *nearest = cli_nearest(name, name_at, commands);
+    for (size_t i = 0; commands[i]; ++i) {
+        nearest =
+            cli_in_list(commands[i]->aliases, name, strlen(name)) ? commands[i]->name : nearest;
+    }
     if (nearest) {
         cli_fail(error, BURNISH_STATUS_ARGUMENT, "\"%.60s\": unknown command; did you mean %s?",
                  name, nearest);

@@ -180,6 +180,7 @@ static const cli_section sections[] = {
 
 const cli_command batch_command = {
     .name = "batch",
+    .aliases = "montage,mogrify",
     .operand = "INPUT...",
     .summary = "draw many meshes, on all cores",
     .operand_help = "files, built-in objects such as :teapot, or folders of meshes",

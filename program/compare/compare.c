@@ -117,6 +117,7 @@ static const cli_section sections[] = {
 
 const cli_command compare_command = {
     .name = "compare",
+    .aliases = "diff",
     .operand = "A B",
     .summary = "compare two pictures or meshes",
     .operand_help = "PNG files, or inputs of burnish render, with its flags for camera and light",

@@ -149,6 +149,7 @@ static const cli_section sections[] = {
 
 const cli_command info_command = {
     .name = "info",
+    .aliases = "identify,stats",
     .operand = "INPUT...",
     .summary = "size, volume and validity of meshes",
     .operand_help = CLI_INPUT_HELP,

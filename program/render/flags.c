@@ -178,7 +178,7 @@ static const cli_flag flags[] = {
                "last of both counts."},
     {DRAW_FLAG("no-background", NULL, "transparent background", render_flag_no_background,
                picture.background),
-     .common = 1, .aliases = "transparent,transparency",
+     .common = 1, .aliases = "transparent,transparency,alpha,film-transparent",
      .manual = "Makes the background transparent: the PNG has an alpha channel."},
     {DRAW_FLAG("views", "LIST", "one or more", render_flag_views, picture.views),
      .value_type = CLI_TYPE_WORDS, .common = 1, .words = view_words, .aliases = "view",
@@ -216,6 +216,7 @@ static const cli_flag flags[] = {
          "in the pictorial view. The list replaces the legend of *--color-by=part*."},
     {DRAW_FLAG("columns", "N", "columns of a sheet", cli_flag_integer, picture.columns),
      .not_for = HEIR_ONE_PICTURE, CLI_RANGE(1, 256), .default_label = "near a square",
+     .aliases = "tile",
      .manual = "Number of cells in a row of a sheet. A sheet has a cell for each view and lobe; "
                "the lobes of a view are next to each other."},
     {DRAW_FLAG("labels", "LIST", "labels of a sheet's cells, between commas", cli_flag_text,
@@ -237,7 +238,7 @@ static const cli_flag flags[] = {
      FILE_FLAG("output-format", "NAME", "format", cli_flag_word, output.format),
      .not_for = HEIR_BATCH,
      .words = format_words,
-     .aliases = "format,render-format",
+     .aliases = "format,render-format,F",
      .manual = "Format of the picture, regardless of the file extension: for standard output. "
                "*auto*, the default, uses the extension."},
     {CLI_SCENE_FLAG(render_settings, input.load), .not_for = HEIR_ANY},
@@ -382,7 +383,7 @@ static const cli_flag flags[] = {
          "*right*. Implies *--camera-orthographic*. The scale is *pixels_per_unit* in the report."},
     {DRAW_FLAG("margin", "F", "free share of the picture at each side", cli_flag_real,
                camera.margin),
-     CLI_RANGE(0, 0.45), .default_text = "0.05", .aliases = "padding,border",
+     CLI_RANGE(0, 0.45), .default_text = "0.05", .aliases = "padding,border,trim,crop",
      .manual = "Share of the picture's shorter side that framing leaves free at each side."},
     {.group = "Surface and light",
      .topic = "light",
@@ -390,7 +391,7 @@ static const cli_flag flags[] = {
      .default_text = "studio",
      .common = 1,
      .words = render_look_words,
-     .aliases = "engine,shading,preset",
+     .aliases = "engine,shading,preset,E",
      .manual = "A preset of lights, background, grey surface colour, ambient occlusion and edges; "
                "see *LOOKS*. Other flags change parts of it. With *--equation=phong* or another  "
                "*--lobe* than the default, the default look is *three-point*."},
@@ -712,6 +713,7 @@ _Static_assert(sizeof flags / sizeof *flags <= 128, "as many as cli_given has bi
 
 const cli_command render_command = {
     .name = "render",
+    .aliases = "convert,magick,thumbnail,screenshot,draw",
     .operand = "INPUT...",
     .summary = "draw a mesh into a picture",
     .operand_help = CLI_INPUT_HELP,

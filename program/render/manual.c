@@ -201,7 +201,8 @@ const cli_section render_sections[] = {
     {.heading = "JSON OUTPUT",
      .text =
          "One object for each input, in one line each if there are several inputs. One of several "
-         "that failed has the line of a failed input in the report of a batch instead. Numbers read back as exactly the values "
+         "that failed has the line of a failed input in the report of a batch instead. Numbers "
+         "read back as exactly the values "
          "that were used. The object of a single input is printed before the picture replaces an "
          "older one: if printing fails, the older picture stays.",
      .terms = json_terms},

@@ -67,10 +67,15 @@ expect 2 'burnish: -z: unknown flag; "burnish render --help" lists the flags' re
 expect 0 '' render :sphere -q --views=all --size=16 -o x.png
 same "seven views" "$(size_of)" "$(run render :sphere -q --views=front,right,top,iso,back,left,bottom --size=16 -o x.png; size_of)"
 expect 2 'burnish: --views: all is a whole sheet; omit the other views' render :sphere --views=top,all
-for pair in padding:margin scale:zoom force:overwrite format:output-format engine:look resize:size world:environment; do
+for pair in padding:margin trim:margin alpha:no-background scale:zoom force:overwrite format:output-format engine:look resize:size world:environment; do
     expect 2 "burnish: --${pair%:*}: unknown flag; did you mean --${pair#*:}?" render :sphere "--${pair%:*}"
 done
 expect 2 'burnish: -y: unknown flag; did you mean --overwrite?' render :sphere -y
+expect 2 'burnish: -resize: unknown flag; did you mean --size?' render :sphere -resize 50%
+expect 2 'burnish: -quality: unknown flag; did you mean --quality?' render :sphere -quality 90
+for pair in convert:render identify:info montage:batch; do
+    expect 2 "burnish: \"${pair%:*}\": unknown command; did you mean ${pair#*:}?" "${pair%:*}" :sphere x.png
+done
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' | gzip -c >x.obj.gz
 expect 0 '' render x.obj.gz -q
 same "the name of a compressed mesh" "$(size_of)" '1024 768'
