@@ -50,9 +50,10 @@ class Build(build_ext):
             subprocess.run(["cmake", "-S", ROOT, "-B", folder, f"-DPython3_EXECUTABLE={sys.executable}", *options], check=True)
         jobs = os.environ.get("BURNISH_JOBS") or str(os.cpu_count() or 1)
         subprocess.run(["cmake", "--build", folder, "--target", "burnish_python", "-j", jobs], check=True)
-        target = Path(self.get_ext_fullpath(extension.name))
+        (built,) = (folder / "bindings/python").glob("_burnish.*[od]")  # .abi3.so or .pyd
+        target = Path(self.get_ext_fullpath(extension.name)).with_name(built.name)
         target.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(folder / "bindings/python/_burnish.abi3.so", target)
+        shutil.copyfile(built, target)
         shutil.copyfile(folder / "bindings/python/_options.py", target.with_name("_options.py"))
 
 
@@ -138,6 +139,8 @@ class Wheel(bdist_wheel):
     def get_tag(self):
         """Later Pythons load it too, and so does any Linux with the C library's symbols, if no other library is needed."""
         platform = super().get_tag()[2]
+        if platform.startswith("win"):  # python3.dll has buffers from 3.11 on
+            return ("cp311", "abi3", platform)
         extension = Path(self.get_finalized_command("build_ext").get_ext_fullpath("burnish._burnish")).read_bytes()
         if platform.startswith("linux_") and set(re.findall(rb"(?<=\0)(?:lib|ld-)[\w.+-]+\.so\.\d+(?=\0)", extension)) <= SYSTEM:
             newest = max(map(int, re.findall(rb"\0GLIBC_2\.(\d+)", extension)))
