@@ -5,6 +5,7 @@
 #include <string.h>
 #ifdef _WIN32
 #include <process.h>
+#include <windows.h>
 
 /* In quotes, for the C library that splits the command line again. Never released: the program
  * ends. */
@@ -39,9 +40,8 @@ int cli_run_instead(const char *path, char **words) {
 }
 
 int cli_program_folder(char *folder, size_t size) {
-    char *name = NULL;
-    const int length = _get_pgmptr(&name) == 0 ? snprintf(folder, size, "%s", name) : 0;
-    if (length <= 0 || (size_t)length >= size) {
+    const DWORD length = GetModuleFileNameA(NULL, folder, (DWORD)size);
+    if (length == 0 || length >= size) {
         return 0;
     }
     char *slash = strrchr(folder, '\\');
