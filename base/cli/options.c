@@ -162,7 +162,8 @@ const cli_flag *cli_group_of(const cli_command *command, const cli_flag *flag) {
 const cli_flag *cli_find_flag(const cli_command *command, const char *name, size_t length) {
     const cli_flag *flag;
     for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
-        if ((strlen(flag->name) == length && memcmp(flag->name, name, length) == 0) ||
+        if ((*flag->name == *name && strlen(flag->name) == length &&
+             memcmp(flag->name, name, length) == 0) ||
             cli_in_list(flag->also, name, length)) {
             return flag;
         }
@@ -238,11 +239,16 @@ static uint64_t *given_bit(const cli_command *command, const cli_flag *flag, con
     return &given->bits[index / 64];
 }
 
-int cli_is_given(const cli_command *command, const void *settings, const char *name) {
-    const cli_flag *flag = cli_find_flag(command, name, strlen(name));
+static int is_given(const cli_command *command, const void *settings, const char *name,
+                    size_t length) {
+    const cli_flag *flag = cli_find_flag(command, name, length);
     uint64_t mask = 0;
     const uint64_t *bits = flag ? given_bit(command, flag, settings, &mask) : NULL;
     return bits && (*bits & mask) != 0;
+}
+
+int cli_is_given(const cli_command *command, const void *settings, const char *name) {
+    return is_given(command, settings, name, strlen(name));
 }
 
 int cli_next_useless(const cli_command *command, const void *settings, const cli_need *needs,
@@ -250,11 +256,10 @@ int cli_next_useless(const cli_command *command, const void *settings, const cli
     size_t index = 0;
     for (const cli_need *need = needs; need < needs + count; ++need) {
         for (const char *item, *rest = need->flags; rest; ++index) {
-            char name[CLI_NAME_MAX];
             item = rest;
             rest = strchr(rest, ',');
-            snprintf(name, sizeof name, "%.*s", (int)strcspn(item, ",="), item);
-            if (index >= *at && !need->is_met && cli_is_given(command, settings, name)) {
+            if (index >= *at && !need->is_met &&
+                is_given(command, settings, item, strcspn(item, ",="))) {
                 *at = index + 1;
                 cli_fail(line, BURNISH_STATUS_ARGUMENT, "--%.*s: no effect: %s",
                          (int)strcspn(item, ","), item, need->why);

@@ -183,9 +183,8 @@ static burnish_status take_model(burnish_archive *archive, const burnish_zip_par
 
 burnish_status burnish_archive_open(burnish_archive *archive, burnish_reader_input *input,
                                     burnish_mesh_data *data, burnish_error *error) {
-    if (input->streamed ||
-        burnish_guess_format(input->bytes, input->size, input->name) != BURNISH_FORMAT_3MF ||
-        !burnish_reader_3mf.recognise(input->bytes, input->size)) {
+    if (input->streamed || !burnish_reader_3mf.recognise(input->bytes, input->size) ||
+        burnish_guess_format(input->bytes, input->size, input->name) != BURNISH_FORMAT_3MF) {
         return BURNISH_STATUS_OK;
     }
     archive->input = *input;

@@ -158,18 +158,19 @@ static int read_vertex(stl_parser *stl, float position[3], int *is_bad) {
         if (!burnish_lexer_word_double(&stl->lexer, &word, &value, &number)) {
             return fail_end(stl, "\"vertex x y z\"");
         }
-        if (burnish_chunk_takes(stl->chunk, word, &number) &&
-            !burnish_place(value, stl->origin[i], &position[i])) {
+        if (burnish_chunk_takes(stl->chunk, word, &number)) {
+            if (burnish_place(value, stl->origin[i], &position[i])) {
+                continue;
+            }
             number = BURNISH_NUMBER_RANGE;
         }
         if (number == BURNISH_NUMBER_GARBAGE) {
             return fail_number(stl, "coordinate", word, number);
         }
-        if (number != BURNISH_NUMBER_OK && !*is_bad &&
-            !burnish_chunk_pardon_number(stl->chunk, word, number)) {
+        if (!*is_bad && !burnish_chunk_pardon_number(stl->chunk, word, number)) {
             return 0;
         }
-        *is_bad |= number != BURNISH_NUMBER_OK;
+        *is_bad = 1;
     }
     return 1;
 }
@@ -192,6 +193,21 @@ static int append_triangle(burnish_chunk *chunk, const float positions[9], burni
     return 1;
 }
 
+/* Reads the vertices after the third, if any. Returns 0 after an error. */
+static int read_fan(stl_parser *stl, float positions[9], int *is_bad, burnish_token facet) {
+    for (int count = 0; burnish_lexer_skip_word(&stl->lexer, "vertex"); ++count) {
+        if (count == 0) {
+            burnish_chunk_note(stl->chunk, CORNERS, facet.bytes);
+        }
+        memcpy(positions + 3, positions + 6, 3 * sizeof *positions);
+        if (!read_vertex(stl, positions + 6, is_bad) ||
+            !(*is_bad || append_triangle(stl->chunk, positions, facet))) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
 /* Reads the rest of a facet after "facet". One with a bad coordinate is left out; more than three
  * vertices make a fan. */
 static void read_facet(stl_parser *stl, burnish_token facet) {
@@ -199,19 +215,14 @@ static void read_facet(stl_parser *stl, burnish_token facet) {
     const size_t before = chunk->data.triangle_count;
     float positions[9];
     int is_bad = 0, good = read_to_outer(stl) && expect(stl, "loop");
-    for (int i = 0; good && (i < 3 ? (good = expect(stl, "vertex"))
-                                   : burnish_lexer_skip_word(&stl->lexer, "vertex"));
-         ++i) {
-        if (i == 3) {
-            burnish_chunk_note(chunk, CORNERS, facet.bytes);
-        }
-        if (i >= 3) {
-            memcpy(positions + 3, positions + 6, 3 * sizeof *positions);
-        }
-        good = read_vertex(stl, positions + 3 * (i < 2 ? i : 2), &is_bad) &&
-               (i < 2 || is_bad || append_triangle(chunk, positions, facet));
+    for (int i = 0; i < 3 && good; ++i) {
+        good = expect(stl, "vertex") && read_vertex(stl, positions + 3 * i, &is_bad);
     }
-    if (!good || !expect(stl, "endloop")) {
+    good = good && (is_bad || append_triangle(chunk, positions, facet));
+    if (good && !burnish_lexer_skip_word(&stl->lexer, "endloop")) {
+        good = read_fan(stl, positions, &is_bad, facet) && expect(stl, "endloop");
+    }
+    if (!good) {
         return;
     }
     if (is_bad) {

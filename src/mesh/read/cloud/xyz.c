@@ -175,11 +175,12 @@ static int take_xyz_sample(xyz_file *xyz, const uint8_t *bytes, size_t size) {
             return 0;
         }
         xyz->column_count = count;
-        take_names(xyz, above);
-        if (numbers >= 3 && *line.bytes != '#' &&
-            (xyz->has_names || (values[0] == values[0] && values[1] == values[1]))) {
-            xyz->first = line.bytes;
-            add_row(xyz, values, whole);
+        if (numbers >= 3 && *line.bytes != '#') {
+            take_names(xyz, above);
+            if (xyz->has_names || (values[0] == values[0] && values[1] == values[1])) {
+                xyz->first = line.bytes;
+                add_row(xyz, values, whole);
+            }
         }
         above = line;
     }

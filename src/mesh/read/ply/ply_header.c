@@ -66,7 +66,8 @@ burnish_ply_role burnish_ply_role_of(burnish_token name) {
                                            [BURNISH_PLY_OPACITY] = {"opacity"}};
     for (size_t role = 0; role < sizeof names / sizeof *names; ++role) {
         for (int i = 0; i < 3 && names[role][i]; ++i) {
-            if (burnish_token_is_caseless(name, names[role][i])) {
+            if (*names[role][i] == (*name.bytes | 0x20) && /* most differ in the first letter */
+                burnish_token_is_caseless(name, names[role][i])) {
                 return (burnish_ply_role)role;
             }
         }
