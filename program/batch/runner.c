@@ -77,7 +77,7 @@ typedef struct runner {
 
 /* Hashes an open file. Returns 0, with errno set, if it is not a regular file or can't be read. */
 static int hash_open_file(int file, uint64_t *hash, uint64_t seed) {
-    static char buffer[1 << 18];
+    static char buffer[1 << 15]; /* its pages fault again after each worker's fork */
     struct stat state;
     XXH64_state_t hasher;
     ssize_t size = -1;
