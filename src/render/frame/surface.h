@@ -120,7 +120,7 @@ typedef struct burnish_material_group {
     uint8_t starts[BURNISH_SHADE_BATCH]; /* of each vector: its first item in the batch */
 } burnish_material_group;
 
-/* A thread's arrays. All zero before the first use. */
+/* A thread's arrays. All but texture zero before the first use. */
 typedef struct burnish_fragment_scratch {
     float normal[3][BURNISH_SHADE_BATCH], color[3][BURNISH_SHADE_BATCH]; /* times 1/w */
     float inverse_w[BURNISH_SHADE_BATCH];
@@ -135,12 +135,13 @@ typedef struct burnish_fragment_scratch {
     burnish_material_group group;
     burnish_share_scratch share;
     burnish_ray_tile *rays; /* of the tile; NULL where there is no ray_light */
-    burnish_texture_scratch texture;
     burnish_near_scratch near;
     burnish_near_cells cells;          /* of the tile */
     float hatch[BURNISH_SHADE_BATCH];  /* of fragments: burnish_cap_hatch */
     float facing[BURNISH_SHADE_BATCH]; /* of fragments: 1: the front is seen; -1 */
     burnish_code_direction known;      /* of the tile */
+    int has_textures;                  /* 1: texture is zero or was used; else it is unset */
+    burnish_texture_scratch texture;   /* two thirds of all, and few frames have textures */
 } burnish_fragment_scratch;
 
 /* A row of blocks: what its pixels show, and the colours of the simple ones. Those of others are

@@ -13,7 +13,6 @@
 struct burnish_tile_worker {
     burnish_tile tile;
     burnish_fragments fragments;
-    burnish_fragment_scratch scratch;
     float light[3][BURNISH_SHADE_BATCH]; /* of fragments */
     burnish_row_light row;
     burnish_tile_sums sums;
@@ -22,6 +21,7 @@ struct burnish_tile_worker {
     int is_carved_too_much;
     size_t covered_pixels;
     int bounds[4];
+    burnish_fragment_scratch scratch;
 };
 
 /* A sample that passes less light than this needs no deeper layers. */
@@ -369,10 +369,12 @@ static burnish_status create_workers(burnish_tiles *tiles, int count,
                                      const burnish_tile_options *options,
                                      const burnish_context *context, burnish_error *error) {
     burnish_memory memory = burnish_memory_of(context, error);
-    tiles->workers =
-        burnish_allocate_zeroed(&memory, (size_t)count, sizeof *tiles->workers, "tiles");
+    tiles->workers = burnish_allocate(&memory, (size_t)count, sizeof *tiles->workers, "tiles");
     if (!tiles->workers) {
         return memory.status;
+    }
+    for (int i = 0; i < count; ++i) {
+        memset(&tiles->workers[i], 0, offsetof(burnish_tile_worker, scratch.texture));
     }
     burnish_status status = BURNISH_STATUS_OK;
     tiles->worker_count = count;
@@ -432,6 +434,10 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
         worker->covered_pixels = 0;
         worker->is_carved_too_much = 0;
         if (surface->shading->texturing) {
+            if (!worker->scratch.has_textures) {
+                memset(&worker->scratch.texture, 0, sizeof worker->scratch.texture);
+                worker->scratch.has_textures = 1;
+            }
             burnish_texture_begin(&worker->scratch.texture);
         }
         if (worker->tile.layers) {
