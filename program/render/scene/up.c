@@ -42,7 +42,8 @@ static double length_of(const double v[3]) {
 }
 
 /* A triangle's normal, as long as twice its area, which is returned. */
-static double find_area(const burnish_mesh_view *view, size_t triangle, double normal[3]) {
+static inline __attribute__((always_inline)) double find_area(const burnish_mesh_view *view,
+                                                              size_t triangle, double normal[3]) {
     const uint32_t *corner = view->indices + 3 * triangle;
     const float *a = view->positions + 3 * (size_t)corner[0];
     const float *b = view->positions + 3 * (size_t)corner[1];

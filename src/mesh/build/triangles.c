@@ -274,14 +274,13 @@ static size_t keep_some(burnish_builder *b, size_t first, size_t count, size_t n
         size = first + count - i < SOME ? first + count - i : SOME;
         burnish_find_areas(burnish_positions(b->data), b->corner_positions + 3 * i, size, b->wide,
                            has_area);
-        if (next == i && !memchr(has_area, 0, size)) {
-            next += size;
-            continue;
-        }
-        for (size_t k = 0; k < size; ++k) {
-            if (has_area[k]) {
-                move_triangles(b, i + k, next++, 1);
+        for (size_t k = 0, run; k < size; k += run + 1) {
+            const uint8_t *flat = memchr(has_area + k, 0, size - k);
+            run = flat ? (size_t)(flat - has_area) - k : size - k;
+            if (next != i + k && run > 0) {
+                move_triangles(b, i + k, next, run);
             }
+            next += run;
         }
     }
     return next;

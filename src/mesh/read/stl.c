@@ -150,7 +150,8 @@ static int read_to_outer(stl_parser *stl) {
 }
 
 /* Three numbers after "vertex"; *is_bad: 1 if one of them is not finite. */
-static int read_vertex(stl_parser *stl, float position[3], int *is_bad) {
+static inline __attribute__((always_inline)) int read_vertex(stl_parser *stl, float position[3],
+                                                             int *is_bad) {
     for (int i = 0; i < 3; ++i) {
         burnish_token word;
         double value = 0;

@@ -289,19 +289,19 @@ static void draw_triangles(gltf_drawer *drawer) {
     }
     for (size_t i = 0; i < drawer->primitive->element_count; ++i) {
         uint32_t *corners = mesh->streams[BURNISH_POSITION].corners + 3 * mesh->triangle_count;
-        int is_good = 1;
-        for (unsigned k = 0; k < 3 && is_good; ++k) {
+        unsigned k = 0;
+        for (; k < 3; ++k) {
             const uint32_t index = corner_of(drawer, i, k), vertex = take_vertex(drawer, index);
-            is_good = vertex != BURNISH_NONE;
-            if (!is_good) {
+            if (vertex == BURNISH_NONE) {
                 note_index(drawer, index);
+                break;
             }
             corners[drawer->shape.is_mirrored && k > 0 ? 3 - k : k] = vertex;
         }
         if (mesh->triangle_materials) {
             mesh->triangle_materials[mesh->triangle_count] = drawer->material;
         }
-        mesh->triangle_count += (size_t)is_good;
+        mesh->triangle_count += k == 3;
         if (i % STEP == STEP - 1) {
             gltf->status = burnish_tasks_check(mesh->tasks, gltf->reader->error);
             if (gltf->status != BURNISH_STATUS_OK) {
