@@ -14,6 +14,23 @@ BURNISH_INLINE void raise_texel(uint16_t *const depths[2], size_t texel, int32_t
     *back = against > old_back ? against : old_back;
 }
 
+/* The same for those of LANES texels in a row that are covered. */
+BURNISH_INLINE void raise_texels(uint16_t *const depths[2], size_t texel, vm covered, vi codes) {
+    const vi zero = vi_set(0), most = vi_set(0xffff), code = vi_and(codes, most);
+    int32_t along[LANES], against[LANES];
+    uint16_t *const to = depths[0] + texel, *const back = depths[1] + texel;
+    vi_store(along, vi_blend(covered, code, zero));
+    vi_store(against, vi_blend(covered, vi_sub(most, code), zero));
+#pragma GCC unroll 1 /* loops that become vectors */
+    for (int i = 0; i < LANES; ++i) {
+        to[i] = (uint16_t)along[i] > to[i] ? (uint16_t)along[i] : to[i];
+    }
+#pragma GCC unroll 1
+    for (int i = 0; i < LANES; ++i) {
+        back[i] = (uint16_t)against[i] > back[i] ? (uint16_t)against[i] : back[i];
+    }
+}
+
 /* E needs more than 32 bits. Vertices 1 and 2 of a front-facing triangle are swapped, as for other
  * triangles. */
 typedef struct long_triangle {

@@ -1,7 +1,7 @@
 /* Draws triangles into pairs of depth maps with SIMD. Which texels triangles cover is found out for
- * as many triangles at once as a vector has lanes, texel by texel of their bounds, or where these
- * are wide for one triangle after another, stamp by stamp; then depths of as many covered texels at
- * once. Large triangles go row by row. */
+ * as many triangles at once as a vector has lanes, texel by texel of their bounds, then depths of as
+ * many covered texels at once. Wide triangles are drawn one after another, slivers of them by stamps,
+ * others row by row, as large ones are. */
 #ifndef BURNISH_RASTER_MAPS_SIMD_H
 #define BURNISH_RASTER_MAPS_SIMD_H
 
@@ -218,6 +218,10 @@ BURNISH_INLINE vf map_permute(const float x[LANES], vi lane) {
     return vf_from_bits(vi_permute(vf_bits(vf_load(x)), lane));
 }
 
+BURNISH_INLINE vi code_of(vf depth) {
+    return vi_truncate(vf_add(vf_mul(depth, vf_set((float)BURNISH_MAP_CODES)), vf_set(0.5f)));
+}
+
 /* LANES covered texels: their indices in the map, and their codes. */
 BURNISH_INLINE void find_codes(const map_triangles *triangles, const int32_t *items, int size,
                                int32_t texel[LANES], int32_t code[LANES]) {
@@ -230,8 +234,7 @@ BURNISH_INLINE void find_codes(const map_triangles *triangles, const int32_t *it
     const vf first = vf_add(map_permute(triangles->depth[0], lane),
                             vf_mul(weight1, map_permute(triangles->depth[1], lane)));
     const vf depth = vf_add(first, vf_mul(weight2, map_permute(triangles->depth[2], lane)));
-    vi_store(code,
-             vi_truncate(vf_add(vf_mul(depth, vf_set((float)BURNISH_MAP_CODES)), vf_set(0.5f))));
+    vi_store(code, code_of(depth));
     vi_store(texel, vi_add(vi_permute(vi_load(triangles->texel), lane),
                            vi_dot16(steps, vi_set(1 | size << 16))));
 }
@@ -272,6 +275,51 @@ BURNISH_INLINE void fill_texels(const map_triangles *triangles, map_texels *texe
     texels->count = 0;
 }
 
+/* From two texels in a row on, of twice the area in 1/256 texel squared, vectors of rows are faster. */
+#define IN_A_ROW 0x1p-18f
+
+/* Draws a triangle row by row, a vector of texels at a time, with the arithmetic of find_codes. It
+ * begins further left where vectors would reach beyond a row; texels outside of the bounds are outside
+ * of an edge. */
+BURNISH_INLINE void draw_wide(const map_triangles *triangles, int lane, int size,
+                              uint16_t *const depths[2]) {
+    const int wide = triangles->wide[lane], high = triangles->high[lane];
+    const int end = triangles->texel[lane] % size + (wide / LANES + 1) * LANES;
+    const int before = end > size ? end - size : 0;
+    const vi ramp = vi_sub(vi_ramp(1), vi_set(before));
+    const vf inverse_area = vf_set(triangles->inverse_area[lane]);
+    size_t texel = (size_t)(triangles->texel[lane] - before);
+    vi row[3], right[3], down[3], bias[3];
+    for (int i = 0; i < 3; ++i) {
+        const int32_t slope = triangles->slope[i][lane], start = triangles->start[i][lane];
+        const int32_t across = (int16_t)(slope & 0xffff) * BURNISH_SUBPIXELS;
+        row[i] = vi_add(vi_set(start), vi_mul(ramp, vi_set(across)));
+        right[i] = vi_set(across * LANES);
+        down[i] = vi_set((slope >> 16) * BURNISH_SUBPIXELS);
+        bias[i] = vi_set(triangles->weight[i][lane] - start);
+    }
+    for (int y = 0; y <= high; ++y, texel += (size_t)size) {
+        vi e[3] = {row[0], row[1], row[2]};
+        for (int x = 0; x <= wide; x += LANES) {
+            const vm inside = vi_not_negative(vi_or(vi_or(e[0], e[1]), e[2]));
+            if (vm_any(inside)) {
+                vf depth = vf_set(triangles->depth[0][lane]);
+                for (int i = 1; i < 3; ++i) {
+                    const vf weight = vf_mul(vf_from_int(vi_add(e[i], bias[i])), inverse_area);
+                    depth = vf_add(depth, vf_mul(weight, vf_set(triangles->depth[i][lane])));
+                }
+                raise_texels(depths, texel + (size_t)x, inside, code_of(depth));
+            }
+            for (int i = 0; i < 3; ++i) {
+                e[i] = vi_add(e[i], right[i]);
+            }
+        }
+        for (int i = 0; i < 3; ++i) {
+            row[i] = vi_add(row[i], down[i]);
+        }
+    }
+}
+
 /* Draws the first `count` <= LANES triangles of a queue. */
 BURNISH_INLINE void draw_queue(const map_queue *queue, int count, int are_wide, int size,
                                uint16_t *const depths[2], map_texels *texels) {
@@ -279,10 +327,13 @@ BURNISH_INLINE void draw_queue(const map_queue *queue, int count, int are_wide, 
     set_up_map_triangles(queue, size, &triangles);
     if (!are_wide) {
         cover_narrow(&triangles, (1u << count) - 1, texels);
-        fill_texels(&triangles, texels, size, depths);
-        return;
     }
-    for (int lane = 0; lane < count; ++lane) {
+    for (int lane = 0; lane < count && are_wide; ++lane) {
+        const float rows = (float)(triangles.high[lane] + 1);
+        if (rows * triangles.inverse_area[lane] < IN_A_ROW) {
+            draw_wide(&triangles, lane, size, depths);
+            continue;
+        }
         cover_wide(&triangles, lane, texels);
         if (texels->count > COVERED_FULL) {
             fill_texels(&triangles, texels, size, depths);
