@@ -51,6 +51,7 @@ typedef struct large_triangle {
     double4 base[2], across[2], down[2];     /* the planes of depth and attributes */
     float low[NUMBERS], high[NUMBERS];       /* of the vertices */
     int is_needle;                           /* attributes may leave these bounds by rounding */
+    int32_t code;                            /* of the face, instead of attributes */
     float pixels[NUMBERS][CELL_PIXELS];      /* steps of the planes within a cell */
     float sample_depth[BURNISH_MAX_SAMPLES]; /* from a pixel's centre to its samples */
     float depth, depth_right, depth_down;    /* of the first cell's first pixel; steps per cell */
@@ -266,7 +267,7 @@ BURNISH_INLINE vm draw_part(const burnish_tile *tile, const large_triangle *larg
             continue;
         }
         vf_store(tile->buffer.depths + sample, vf_blend(nearer, after, before));
-        if (kind.keep) {
+        if (kind.keep > KEEP_DEPTH) {
             vi_store_where(nearer, tile->buffer.ids + sample, vi_set(id));
         }
         simple = kind.samples == 1 ? nearer : vm_and(simple, nearer);
@@ -287,6 +288,9 @@ BURNISH_INLINE int draw_cell_part(burnish_tile *tile, const large_triangle *larg
     }
     if (kind.samples > 1 && tile->options.needs_position) {
         vf_store_where(simple, tile->buffer.center_depths + pixel, clamp_number(large, 0, depth));
+    }
+    if (kind.keep == KEEP_CODE) {
+        vi_store_where(simple, (int32_t *)tile->buffer.planes[0] + pixel, vi_set(large->code));
     }
     for (int p = 0; p < kind.planes; ++p) {
         vf value = vf_add(vf_set(numbers[1 + p]), vf_load(large->pixels[1 + p] + k));
@@ -392,12 +396,51 @@ BURNISH_INLINE void draw_cells(burnish_tile *tile, const large_triangle *large, 
     }
 }
 
+/* The code of a large triangle, if its attributes have one direction; or 0. With the vertices' off by
+ * 2^-21 + 2^-23 of the largest number, weighted means of them are too. Planes are off these means by
+ * 2^-24 (2 |value| + 4 |what they change in seven pixels|), which is at most 18 2^-24 of the largest
+ * number: together less than 2^-18.5. */
+BURNISH_INLINE int32_t find_face_code(const burnish_tile *tile, const triangle_setup *setup,
+                                      size_t lane) {
+    const large_group *group = setup->large;
+    float vector[3], size[3], least = 0x1p20f;
+    int axis = 0;
+    for (int k = 0; k < 3; ++k) {
+        vector[k] = setup->attributes[0][k][lane];
+        size[k] = __builtin_fabsf(vector[k]);
+        axis = size[k] > size[axis] ? k : axis;
+    }
+    for (int i = 0; i < 3; ++i) {
+        const float own = setup->attributes[i][axis][lane], product = own * vector[axis];
+        const float length = __builtin_fabsf(own);
+        for (int k = 0; k < 3; ++k) {
+            const float off = setup->attributes[i][k][lane] * vector[axis] - vector[k] * own;
+            if (!(__builtin_fabsf(off) <= product * 0x1p-21f)) {
+                return 0;
+            }
+        }
+        least = length < least ? length : least;
+        if (!(length > 0x1p-20f && length < 0x1p20f)) {
+            return 0;
+        }
+    }
+    for (int k = 0; k < 3; ++k) {
+        const double steps =
+            __builtin_fabs(group->across[1 + k][lane]) + __builtin_fabs(group->below[1 + k][lane]);
+        if (!(7 * steps <= 4 * (double)least)) {
+            return 0;
+        }
+    }
+    return group->needles >> lane & 1 ? 0 : tile->find_code(tile->coder, vector);
+}
+
 /* Draws a triangle of any size: the cells that it covers, then the ones that its edges cross, since
  * in turns they are unpredictable. */
-BURNISH_INLINE void draw_large(burnish_tile *tile, const triangle_setup *setup, size_t lane,
-                               draw_kind kind, int32_t id) {
+BURNISH_INLINE void draw_large_kind(burnish_tile *tile, const triangle_setup *setup, size_t lane,
+                                    draw_kind kind, int32_t id, int32_t code) {
     large_triangle large;
     load_large(setup->large, lane, kind.samples, kind.planes, &large);
+    large.code = code;
     const int x0 = setup->x0[lane] / BURNISH_HIZ_PIXELS, x1 = setup->x1[lane] / BURNISH_HIZ_PIXELS;
     const int y0 = setup->y0[lane] / BURNISH_HIZ_PIXELS, y1 = setup->y1[lane] / BURNISH_HIZ_PIXELS;
     const int first_row = y0 & ~(CELL_ROWS - 1);
@@ -415,6 +458,23 @@ BURNISH_INLINE void draw_large(burnish_tile *tile, const triangle_setup *setup, 
     visible &= cells_of_bounds(x0, y0, x1, y1);
     draw_cells(tile, &large, kind, id, visible & inside, 1);
     draw_cells(tile, &large, kind, id, visible & ~inside, 0);
+}
+
+static __attribute__((noinline)) void draw_coded(burnish_tile *tile, const triangle_setup *setup,
+                                                 size_t lane, int32_t code) {
+    draw_large_kind(tile, setup, lane, (draw_kind){1, 0, KEEP_CODE}, 0, code);
+}
+
+BURNISH_INLINE void draw_large(burnish_tile *tile, const triangle_setup *setup, size_t lane,
+                               draw_kind kind, int32_t id) {
+    if (kind.samples == 1 && kind.planes == 3 && !kind.keep && tile->options.has_codes) {
+        const int32_t code = find_face_code(tile, setup, lane);
+        if (code) {
+            draw_coded(tile, setup, lane, code);
+            return;
+        }
+    }
+    draw_large_kind(tile, setup, lane, kind, id, 0);
 }
 
 #endif

@@ -69,6 +69,7 @@ BURNISH_INLINE void compute_steps(const triangle_setup *setup, int samples, samp
 
 /* What is stored of a sample that is nearer than the stored one. */
 enum {
+    KEEP_CODE = -1, /* depth and a face's code */
     KEEP_DEPTH,
     KEEP_ID,    /* and depth */
     KEEP_LAYER, /* one more of its layers: depths and ids stay */

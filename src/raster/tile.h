@@ -43,7 +43,8 @@ typedef struct burnish_tile_options {
     int has_layers;     /* 1: transparent triangles are kept as layers; 0: they are left out; 2: as
                            1, but they are only collected by draw_deeper_layers, and some
                            can be chosen of them */
-    int primitives;     /* burnish_tile_primitives_of(geometry); 0: any number */
+    int has_codes; /* 1: find_code is asked for large triangles; one sample, three planes, no ids */
+    int primitives; /* burnish_tile_primitives_of(geometry); 0: any number */
 } burnish_tile_options;
 
 /* No triangle is that far away, or that near. */
@@ -145,6 +146,11 @@ typedef struct burnish_tile {
     burnish_tile_options options;
     const burnish_context *context;
     const burnish_float4 *attributes[2]; /* one item per screen vertex each; the second or NULL */
+    /* What a large triangle puts into the first plane instead of three attributes, if these have the
+     * direction of that vector all over it, within 2^-18.4 of its largest number; 0: nothing. The
+     * caller's to set. */
+    int32_t (*find_code)(void *coder, const float vector[3]);
+    void *coder;
     burnish_tile_buffer buffer;
     burnish_hiz hiz;
     int are_points;       /* 1: primitives are points */

@@ -63,6 +63,7 @@ typedef struct burnish_code_batch {
     const float *normal[3], *depths;
     uint32_t alpha, background; /* bits of the shown ones; the code of the others */
     burnish_code_direction *known;
+    int has_codes; /* 1: normal[0] has face_code's codes in places */
 } burnish_code_batch;
 
 /* From linear light to the light of 8-bit pixels. */
@@ -252,6 +253,12 @@ typedef struct burnish_render_ops {
                                              const struct burnish_srgb_encoder *encoder,
                                              const burnish_code_batch *batch, size_t count,
                                              uint32_t *codes);
+
+    /* The code of all normals whose direction is within 2^-18.4 of a vector's, as the bits of a
+     * float that is not finite; 0 if they have several. */
+    int32_t (*face_code[BURNISH_CODE_BODIES])(const struct burnish_kernels_shader *shader,
+                                              const struct burnish_srgb_encoder *encoder,
+                                              const float normal[3], burnish_code_direction *known);
 
     /* count groups of four pixels, each `stride` pixels after the last, to 12 bytes per group, one
      * after another: red, green, blue. The highest byte of a pixel must be 0. */

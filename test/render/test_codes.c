@@ -9,6 +9,7 @@
 enum { COUNT = 256, ROUNDS = 20000 };
 
 static float normals[3][COUNT], depths[COUNT], light[3][COUNT];
+static int flat_ends[COUNT]; /* of the face that begins there, if it is flat; else 0 */
 
 /* Faces of random lengths, each with normals of one direction but for `spread`. */
 static void make_normals(uint64_t *state) {
@@ -20,6 +21,8 @@ static void make_normals(uint64_t *state) {
         for (int k = 0; k < 3; ++k) {
             face[k] = test_random32(state) % 8 ? test_uniform_float(state, -1, 1) : 0;
         }
+        const float squared = face[0] * face[0] + face[1] * face[1] + face[2] * face[2];
+        flat_ends[i] = spread <= 0x1p-23f && squared > 0.5f ? end : 0;
         for (; i < end && i < COUNT; ++i) {
             const float length = test_uniform_float(state, 0.5f, 2);
             for (int k = 0; k < 3; ++k) {
@@ -53,11 +56,26 @@ static void fold(uint64_t *state, burnish_light_constants *lights, burnish_kerne
            BURNISH_STATUS_OK);
 }
 
+/* Puts the codes of flat faces in place of their normals. */
+static void code_faces(const burnish_render_ops *ops, const burnish_kernels_shader *shader,
+                       const burnish_srgb_encoder *encoder) {
+    burnish_code_direction known = {0};
+    for (int first = 0; first < COUNT; ++first) {
+        const float normal[3] = {normals[0][first], normals[1][first], normals[2][first]};
+        const int32_t code =
+            flat_ends[first] ? ops->face_code[shader->lobe.body](shader, encoder, normal, &known)
+                             : 0;
+        for (int i = first; code && i < flat_ends[first] && i < COUNT; ++i) {
+            memcpy(&normals[0][i], &code, sizeof code);
+        }
+    }
+}
+
 static void test_all(void) {
     const uint32_t alpha = 0xff000000u, background = 0x123456u;
     burnish_code_direction known = {0};
-    const burnish_code_batch batch = {
-        {normals[0], normals[1], normals[2]}, depths, alpha, background, &known};
+    burnish_code_batch batch = {
+        {normals[0], normals[1], normals[2]}, depths, alpha, background, &known, 0};
     const burnish_kernels_points points = {.normal = {normals[0], normals[1], normals[2]}};
     float *const rgb[3] = {light[0], light[1], light[2]};
     const float *const shaded[3] = {light[0], light[1], light[2]};
@@ -74,6 +92,8 @@ static void test_all(void) {
             burnish_kernels_for(isa) ? burnish_render_ops_for(isa) : NULL;
         uint32_t codes[COUNT], expected[COUNT];
         known.shader = NULL;
+        batch.has_codes = round / BURNISH_ISA_COUNT % 2;
+        memset(flat_ends, 0, sizeof flat_ends);
         make_normals(&state);
         fold(&state, lights, &shader);
         if (!ops) {
@@ -82,6 +102,9 @@ static void test_all(void) {
         kernels->shade[shader.lobe.body][BURNISH_SHADE_DISTANT][BURNISH_SHADE_FLOAT](
             &shader, &points, COUNT, NULL, rgb);
         ops->encode_pixels(&encoder, COUNT, shaded, NULL, 0, 0, expected);
+        if (batch.has_codes) {
+            code_faces(ops, &shader, &encoder);
+        }
         ops->shade_codes[shader.lobe.body](&shader, &encoder, &batch, COUNT, codes);
         for (int i = 0; i < COUNT; ++i) {
             const int is_shown = depths[i] > BURNISH_FARTHEST;

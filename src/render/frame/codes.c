@@ -15,6 +15,12 @@ int burnish_codes_are_direct(const burnish_surface *surface, const burnish_outpu
            shading->mixed_body != BURNISH_LOBE_BODY_NONE;
 }
 
+int32_t burnish_codes_of_face(void *coder, const float normal[3]) {
+    burnish_face_coder *from = coder;
+    return from->ops->face_code[from->shader->lobe.body](from->shader, from->encoder, normal,
+                                                         &from->known);
+}
+
 /* The codes of a run of pixels. */
 static void shade_run(const burnish_surface *surface, const burnish_output *output,
                       const burnish_tile *tile, burnish_block_run run,
@@ -29,7 +35,8 @@ static void shade_run(const burnish_surface *surface, const burnish_output *outp
                                       .depths = tile->buffer.depths + start,
                                       .alpha = output->alpha,
                                       .background = output->background_code,
-                                      .known = &scratch->known};
+                                      .known = &scratch->known,
+                                      .has_codes = tile->options.has_codes};
     int32_t *materials = scratch->material + run.first;
     if (surface->triangle_materials &&
         !burnish_find_materials(surface, tile, run, &row->pixels, materials)) {

@@ -9,7 +9,10 @@
  *   rounding of the direction and of all cosines: less than 2^-20
  * which together is less than 0.8 of CODE_MARGIN. From the cosines on, all operations are
  * monotonic with their rounding: sums, products with numbers >= 0, and the code of a float. So
- * every cosine in between has the same code. */
+ * every cosine in between has the same code.
+ *
+ * A face whose normals the rasterizer knows to point one way, within 2^-18.4, is shaded before it is
+ * drawn: the direction that is known then is within CODE_LIMIT / 2, so the same bounds hold. */
 #ifndef BURNISH_RENDER_FRAME_CODES_SIMD_H
 #define BURNISH_RENDER_FRAME_CODES_SIMD_H
 
@@ -32,6 +35,10 @@ enum {
 };
 
 static const uint8_t AXES[5] = {0, 1, 2, 0, 1};
+
+/* The rasterizer stores the code of a flat face in place of its normals' first number: as the sign
+ * and fraction of a float that is not finite. */
+#define CODE_EXPONENT 0x7f800000
 
 /* Whether the shown normals of `ways` vectors from i on point that way. */
 BURNISH_INLINE int points_there(const burnish_code_direction *known, int ways,
@@ -58,6 +65,22 @@ BURNISH_INLINE int points_there(const burnish_code_direction *known, int ways,
     return !vm_any(off);
 }
 
+BURNISH_INLINE void set_direction(burnish_code_direction *known, const float normal[3]) {
+    /* the largest of three by their comparisons, without branches that are guessed wrong */
+    static const uint8_t largest[8] = {0, 1, 0, 1, 0, 0, 2, 2};
+    const float size[3] = {__builtin_fabsf(normal[0]), __builtin_fabsf(normal[1]),
+                           __builtin_fabsf(normal[2])};
+    known->state = CODE_UNKNOWN;
+    known->axis =
+        largest[(size[1] > size[0]) | (size[2] > size[0]) << 1 | (size[2] > size[1]) << 2];
+    const float most = size[known->axis];
+    known->inverse = 1.0f / normal[known->axis];
+    known->limit = most > CODE_LEAST && most < CODE_MOST ? most * CODE_LIMIT : 0.0f;
+    for (int k = 0; k < 2; ++k) {
+        known->others[k] = normal[AXES[known->axis + 1 + k]] * known->inverse;
+    }
+}
+
 /* After a vector that points elsewhere, of which normal i is one: the next one is not compared, but
  * a direction to compare with, because on a curved surface nothing is gained. */
 BURNISH_INLINE void next_direction(burnish_code_direction *known, const float *const normal[3],
@@ -66,19 +89,7 @@ BURNISH_INLINE void next_direction(burnish_code_direction *known, const float *c
         known->state = CODE_NONE;
         return;
     }
-    /* the largest of three by their comparisons, without branches that are guessed wrong */
-    static const uint8_t largest[8] = {0, 1, 0, 1, 0, 0, 2, 2};
-    const float size[3] = {__builtin_fabsf(normal[0][i]), __builtin_fabsf(normal[1][i]),
-                           __builtin_fabsf(normal[2][i])};
-    known->state = CODE_UNKNOWN;
-    known->axis =
-        largest[(size[1] > size[0]) | (size[2] > size[0]) << 1 | (size[2] > size[1]) << 2];
-    const float most = size[known->axis];
-    known->inverse = 1.0f / normal[known->axis][i];
-    known->limit = most > CODE_LEAST && most < CODE_MOST ? most * CODE_LIMIT : 0.0f;
-    for (int k = 0; k < 2; ++k) {
-        known->others[k] = normal[AXES[known->axis + 1 + k]][i] * known->inverse;
-    }
+    set_direction(known, (const float[3]){normal[0][i], normal[1][i], normal[2][i]});
 }
 
 /* Bounds of the cosine of a unit vector with another vector; side: -1 for the least, 1 for the
@@ -147,6 +158,13 @@ BURNISH_INLINE void find_code(shade_kernel kernel, const burnish_kernels_shader 
     known->state = codes[0] == codes[LANES - 1] ? CODE_ONE : CODE_SPLIT;
 }
 
+/* The codes of faces among LANES first numbers, which `left` loses. */
+BURNISH_INLINE vi load_face_codes(const float *numbers, vm *left) {
+    const vi bits = vf_bits(vf_load(numbers)), exponent = vi_set(CODE_EXPONENT);
+    *left = vm_and_not(*left, vi_equal(vi_and(bits, exponent), exponent));
+    return vi_or(vi_and(bits, vi_set(0x7fffff)), vi_and(vi_shr(bits, 8), vi_set(0x800000)));
+}
+
 /* `ways` vectors of pixels from i on. */
 BURNISH_INLINE void shade_some_codes(shade_kernel kernel, int ways,
                                      const burnish_kernels_shader *shader,
@@ -156,17 +174,22 @@ BURNISH_INLINE void shade_some_codes(shade_kernel kernel, int ways,
     const burnish_kernels_points points = {
         .normal = {batch->normal[0], batch->normal[1], batch->normal[2]}};
     const vi alpha = vi_set((int32_t)batch->alpha), background = vi_set((int32_t)batch->background);
-    vi code[SHADE_WAYS];
-    vm shown[SHADE_WAYS];
+    vi code[SHADE_WAYS], of_face[SHADE_WAYS];
+    vm shown[SHADE_WAYS], left[SHADE_WAYS]; /* of these the ones that have no code yet */
     int any = 0;
     for (int j = 0; j < ways; ++j) {
         shown[j] =
             vf_greater(vf_load(batch->depths + i + (size_t)j * LANES), vf_set(BURNISH_FARTHEST));
-        any |= vm_any(shown[j]);
+        left[j] = shown[j];
         code[j] = background;
+        of_face[j] = background;
+        if (batch->has_codes) {
+            of_face[j] = load_face_codes(batch->normal[0] + i + (size_t)j * LANES, &left[j]);
+        }
+        any |= vm_any(left[j]);
     }
-    const int is_known = LANES > 1 && known->state != CODE_NONE &&
-                         points_there(known, ways, points.normal, i, shown);
+    const int is_known =
+        LANES > 1 && known->state != CODE_NONE && points_there(known, ways, points.normal, i, left);
     if (any && is_known && known->state == CODE_UNKNOWN) {
         find_code(kernel, shader, encoder, known);
     }
@@ -178,14 +201,15 @@ BURNISH_INLINE void shade_some_codes(shade_kernel kernel, int ways,
             code[j] = encode_channels(encoder, kernel.channels, light[j]);
         }
         if (!is_known) {
-            const unsigned bits = vm_bits(shown[ways - 1]);
+            const unsigned bits = vm_bits(left[ways - 1]);
             next_direction(known, points.normal,
                            i + (size_t)(ways - 1) * LANES +
                                (bits ? (size_t)__builtin_ctz(bits) : 0));
         }
     }
     for (int j = 0; j < ways; ++j) {
-        const vi own = is_one ? vi_set(known->code) : code[j];
+        vi own = is_one ? vi_set(known->code) : code[j];
+        own = batch->has_codes ? vi_blend(left[j], own, of_face[j]) : own;
         vi_store((int32_t *)codes + i + (size_t)j * LANES,
                  vi_blend(shown[j], vi_or(own, alpha), background));
     }
@@ -213,6 +237,35 @@ BURNISH_INLINE void shade_codes(int body, int channels, const burnish_kernels_sh
     *given->known = known;
 }
 
+/* As render_ops.h says. known: the direction before, whose code is taken up to half the limit from
+ * it. */
+BURNISH_INLINE int32_t face_code(int body, const burnish_kernels_shader *shader,
+                                 const burnish_srgb_encoder *encoder, const float normal[3],
+                                 burnish_code_direction *known) {
+    burnish_code_direction own;
+    own.shader = shader;
+    set_direction(&own, normal);
+    int is_new = known->shader != shader || known->axis != own.axis ||
+                 (known->inverse > 0) != (own.inverse > 0);
+    for (int k = 0; k < 2; ++k) {
+        is_new |= !(__builtin_fabsf(known->others[k] - own.others[k]) < 0.5f * CODE_LIMIT);
+    }
+    if (is_new) {
+        const shade_kernel grey = {body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_FLOAT, 1};
+        const shade_kernel colored = {body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_FLOAT, 3};
+        *known = own;
+        if (is_grey(shader)) {
+            find_code(grey, shader, encoder, known);
+        } else {
+            find_code(colored, shader, encoder, known);
+        }
+    }
+    const uint32_t code = (uint32_t)known->code;
+    return LANES > 1 && known->state == CODE_ONE
+               ? (int32_t)((code & 0x7fffffu) | (code & 0x800000u) << 8 | CODE_EXPONENT)
+               : 0;
+}
+
 #define CODE_FUNCTION(name, body)                                                                  \
     static void codes_##name(const burnish_kernels_shader *shader,                                 \
                              const burnish_srgb_encoder *encoder, const burnish_code_batch *batch, \
@@ -222,6 +275,11 @@ BURNISH_INLINE void shade_codes(int body, int channels, const burnish_kernels_sh
         } else {                                                                                   \
             shade_codes(body, 3, shader, encoder, batch, count, codes);                            \
         }                                                                                          \
+    }                                                                                              \
+    static int32_t face_##name(const burnish_kernels_shader *shader,                               \
+                               const burnish_srgb_encoder *encoder, const float normal[3],         \
+                               burnish_code_direction *known) {                                    \
+        return face_code(body, shader, encoder, normal, known);                                    \
     }
 CODE_FUNCTION(none, BURNISH_LOBE_BODY_NONE)
 CODE_FUNCTION(square, BURNISH_LOBE_BODY_SQUARE)

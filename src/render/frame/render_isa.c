@@ -54,5 +54,9 @@ const burnish_render_ops BURNISH_ISA_TABLE(burnish_render_ops, VECTOR_WORD) = {
                     [BURNISH_LOBE_BODY_SQUARE] = codes_square,
                     [BURNISH_LOBE_BODY_SQUARES] = codes_squares,
                     [BURNISH_LOBE_BODY_COMPOSITE] = codes_composite},
+    .face_code = {[BURNISH_LOBE_BODY_NONE] = face_none,
+                  [BURNISH_LOBE_BODY_SQUARE] = face_square,
+                  [BURNISH_LOBE_BODY_SQUARES] = face_squares,
+                  [BURNISH_LOBE_BODY_COMPOSITE] = face_composite},
     OP(compare_block),
 };

@@ -175,6 +175,16 @@ void burnish_output_store_background(const burnish_output *output, const burnish
 /* Whether the rows of tiles can be encoded so. */
 int burnish_codes_are_direct(const burnish_surface *surface, const burnish_output *output);
 
+/* Shades faces of one direction while a tile is rasterized: burnish_tile.find_code. */
+typedef struct burnish_face_coder {
+    const burnish_kernels_shader *shader;
+    const burnish_srgb_encoder *encoder;
+    const burnish_render_ops *ops;
+    burnish_code_direction known; /* all zero at first */
+} burnish_face_coder;
+
+int32_t burnish_codes_of_face(void *coder, const float normal[3]);
+
 /* The codes of row `number` of a tile's blocks. row: scratch; row->pixels must hold what the row's
  * pixels show if there are several materials. */
 void burnish_codes_shade_row(const burnish_surface *surface, const burnish_output *output,

@@ -12,6 +12,7 @@
 /* What one thread needs to draw tiles, and what it counted. */
 struct burnish_tile_worker {
     burnish_tile tile;
+    burnish_face_coder coder; /* where the tile has codes */
     burnish_fragments fragments;
     float light[3][BURNISH_SHADE_BATCH]; /* of fragments */
     burnish_row_light row;
@@ -406,7 +407,7 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
                                       burnish_error *error) {
     const burnish_surface *surface = &frame->surface;
     const burnish_target *target = &frame->output.target;
-    const burnish_tile_options needed = {
+    burnish_tile_options needed = {
         .samples = frame->output.samples,
         .planes = burnish_surface_planes(surface),
         .keep_ids = surface->triangle_materials || frame->drawn || target->triangles ||
@@ -416,6 +417,7 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
                           surface->shading->texturing,
         .has_layers = frame->carving ? 2 : surface->transparency != NULL,
         .primitives = burnish_tile_primitives_of(frame->geometry)};
+    needed.has_codes = burnish_codes_are_direct(surface, &frame->output) && !needed.keep_ids;
     burnish_status status = BURNISH_STATUS_OK;
     const int threads = worker_count(frame);
     if (tiles->worker_count != threads ||
@@ -431,6 +433,11 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
                 burnish_allocate(&memory, 1, sizeof *worker->scratch.rays, "rays of a tile");
             status = memory.status;
         }
+        worker->coder = (burnish_face_coder){.shader = surface->shading->shaders,
+                                             .encoder = frame->output.encoder,
+                                             .ops = frame->output.ops};
+        worker->tile.find_code = burnish_codes_of_face;
+        worker->tile.coder = &worker->coder;
         worker->covered_pixels = 0;
         worker->is_carved_too_much = 0;
         if (surface->shading->texturing) {
