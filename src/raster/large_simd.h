@@ -24,7 +24,8 @@ enum {
     /* Of a cell with few vectors all are drawn: skipping some would cost more by wrong guesses of
      * branches. */
     SKIPS_VECTORS = CELL_VECTORS > 4,
-    CELL_NEXT_ROW = (int)BURNISH_BLOCK_ROW_PIXELS - CELL_BLOCKS * (int)BURNISH_BLOCK_PIXELS
+    CELL_ROW = CELL_BLOCKS * (int)BURNISH_BLOCK_PIXELS, /* pixels of a row of a cell's blocks */
+    CELL_NEXT_ROW = (int)BURNISH_BLOCK_ROW_PIXELS - CELL_ROW
 };
 _Static_assert(CELL_VECTORS <= 64, "bits of a cell's vectors fit 64");
 
@@ -200,6 +201,10 @@ BURNISH_INLINE void start_cell(const large_triangle *large, int planes, int x, i
         const large_edge *edge = &large->edges[i];
         first[i] = vi_set(edge->start + x * edge->right + y * edge->down);
     }
+    if (planes == 0) {
+        numbers[0] = (float)((large->base[0][0] + large->down[0][0] * y) + large->across[0][0] * x);
+        return;
+    }
     for (int g = 0; g < (planes + 4) / 4; ++g) {
         const double4 sum =
             (large->base[g] + large->down[g] * (double)y) + large->across[g] * (double)x;
@@ -292,19 +297,22 @@ BURNISH_INLINE int draw_cell_part(burnish_tile *tile, const large_triangle *larg
     if (kind.keep == KEEP_CODE) {
         vi_store_where(simple, (int32_t *)tile->buffer.planes[0] + pixel, vi_set(large->code));
     }
+    vf values[BURNISH_PLANE_COUNT];
     for (int p = 0; p < kind.planes; ++p) {
-        vf value = vf_add(vf_set(numbers[1 + p]), vf_load(large->pixels[1 + p] + k));
-        if (large->is_needle) {
-            value = clamp_number(large, 1 + p, value);
-        }
-        vf_store_where(simple, tile->buffer.planes[p] + pixel, value);
+        values[p] = vf_add(vf_set(numbers[1 + p]), vf_load(large->pixels[1 + p] + k));
+    }
+    for (int p = 0; large->is_needle && p < kind.planes; ++p) {
+        values[p] = clamp_number(large, 1 + p, values[p]);
+    }
+    for (int p = 0; p < kind.planes; ++p) {
+        vf_store_where(simple, tile->buffer.planes[p] + pixel, values[p]);
     }
     return drawn != 0;
 }
 
 /* The tile's pixel that is a cell's pixel k: its blocks are neighbours in memory, row by row. */
 BURNISH_INLINE int pixel_of_cell(int first, int k) {
-    return first + k + k / (CELL_BLOCKS * BURNISH_BLOCK_PIXELS) * CELL_NEXT_ROW;
+    return first + k + k / CELL_ROW * CELL_NEXT_ROW;
 }
 
 /* Marks the blocks of a cell, bits of their numbers, as written. */
@@ -327,14 +335,16 @@ BURNISH_INLINE void draw_whole_cell(burnish_tile *tile, const large_triangle *la
     start_cell(large, kind.planes, x, y, first, numbers);
     part.is_inside = is_inside;
     part.covered = vi_not_negative(vi_set(0));
-    for (int k = 0; k < CELL_PIXELS; k += LANES) {
-        part.k = k;
-        part.pixel = pixel_of_cell(first_pixel, k);
-        if (!is_inside) {
-            part.covered = find_edges(large, first, kind.samples, k, part.at);
+    for (int row = 0; row < CELL_BLOCKS; ++row) { /* which makes compilers unroll the inner loop */
+        for (int i = 0; i < CELL_ROW; i += LANES) {
+            part.k = row * CELL_ROW + i;
+            part.pixel = first_pixel + row * (int)BURNISH_BLOCK_ROW_PIXELS + i;
+            if (!is_inside) {
+                part.covered = find_edges(large, first, kind.samples, part.k, part.at);
+            }
+            const int drawn = draw_cell_part(tile, large, kind, id, &part, numbers);
+            blocks |= (unsigned)drawn << part.k / BURNISH_BLOCK_PIXELS;
         }
-        const int drawn = draw_cell_part(tile, large, kind, id, &part, numbers);
-        blocks |= (unsigned)drawn << k / BURNISH_BLOCK_PIXELS;
     }
     mark_cell(tile, x, y, blocks);
 }
@@ -399,7 +409,7 @@ BURNISH_INLINE void draw_cells(burnish_tile *tile, const large_triangle *large, 
 /* The code of a large triangle, if its attributes have one direction; or 0. With the vertices' off by
  * 2^-21 + 2^-23 of the largest number, weighted means of them are too. Planes are off these means by
  * 2^-24 (2 |value| + 4 |what they change in seven pixels|), which is at most 18 2^-24 of the largest
- * number: together less than 2^-18.5. */
+ * number: together less than 2^-18.4. */
 BURNISH_INLINE int32_t find_face_code(const burnish_tile *tile, const triangle_setup *setup,
                                       size_t lane) {
     const large_group *group = setup->large;
