@@ -295,7 +295,7 @@ BURNISH_INLINE int draw_cell_part(burnish_tile *tile, const large_triangle *larg
         vf_store_where(simple, tile->buffer.center_depths + pixel, clamp_number(large, 0, depth));
     }
     if (kind.keep == KEEP_CODE) {
-        vi_store_where(simple, (int32_t *)tile->buffer.planes[0] + pixel, vi_set(large->code));
+        vf_store_where(simple, tile->buffer.planes[0] + pixel, vf_from_bits(vi_set(large->code)));
     }
     vf values[BURNISH_PLANE_COUNT];
     for (int p = 0; p < kind.planes; ++p) {
