@@ -244,7 +244,7 @@ typedef struct burnish_load_options {
     burnish_stream_decoder decoder; /* decode NULL: files that need it fail with FORMAT */
     const burnish_joint
         *joints; /* joint_count joints of a robot (URDF) that are not at 0. A name that
-                                    the robot lacks fails with ARGUMENT; other formats ignore it */
+                                    no robot has fails with ARGUMENT; other formats ignore it */
     size_t joint_count;
 } burnish_load_options;
 

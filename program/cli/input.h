@@ -186,7 +186,8 @@ enum { CLI_PLATE_SHEET = -1 };
     .phases = CLI_PHASE_LOAD, .value_type = CLI_TYPE_NAME, .name = "joint", .value = "NAME:VALUE", \
     .help = "where a robot's joint is; may be repeated", .repeats = 1, .default_label = "0",       \
     .manual = "Moves joint _NAME_ of a robot (URDF) to _VALUE_, in radians or, if it slides, in "  \
-              "metres, and with it the joints that follow it. Can be repeated up to 32 times.",    \
+              "metres, as far as its limits allow, and with it the joints that follow it. In a "   \
+              "scene, it moves in every robot that has it. Can be repeated up to 32 times.",       \
     .handler = cli_flag_joint, .offset = offsetof(type, member.joints)
 
 #define CLI_SCENE_FLAG(type, member)                                                               \

@@ -40,6 +40,10 @@ static const struct near_file {
     {"inner.scene.json", "{\"burnish_scene\":1,\"items\":[{\"file\":\"t.obj\"}]}"},
     {"robot.urdf", "<robot name='r'><link name='l'><visual><geometry><box size='1 1 1'/></geometry>"
                    "</visual></link></robot>"},
+    {"arm.urdf",
+     "<robot name='r'><link name='a'/><link name='b'><visual><geometry><mesh filename='t.obj'/>"
+     "</geometry></visual></link><joint name='j' type='prismatic'><parent link='a'/>"
+     "<child link='b'/><axis xyz='0 0 1'/><limit lower='-1' upper='9'/></joint></robot>"},
     {"pkg/meshes/t.obj", TETRAHEDRON},
 };
 
@@ -429,6 +433,35 @@ static void test_robot_errors(void) {
                "instead (and 1 more like it)");
 }
 
+/* A joint of one robot of a scene, beyond its limit; one of none; limits that mean nothing. */
+static void test_joints(void) {
+    static const double moved[POINTS][3] = {{0, 0, 9}, {1, 0, 9}, {0, 2, 9}, {0, 0, 12}};
+    static const burnish_joint joints[] = {{"j", 90}, {"k", 0}};
+    static const char text[] = SCENE("{\"file\": \"arm.urdf\"}, {\"file\": \"robot.urdf\"}");
+    OWNED_MESH *mesh = load_robot(text, joints, 1);
+    check_points("at its limit", mesh, POINTS, moved);
+    CHECK_TEXT(mesh && burnish_mesh_get_warning_count(mesh) ? burnish_mesh_get_warning(mesh, 0)
+                                                            : "",
+               "arm.urdf: joint \"j\" is at its limit, 9, instead of 90; it moves from -1 to 9");
+    burnish_load_options options = near_options();
+    burnish_error error = {0};
+    burnish_mesh *none = NULL;
+    options.joints = joints;
+    options.joint_count = 2;
+    CHECK1(burnish_mesh_load_memory(text, strlen(text), "a", &options, &none, &error) ==
+           BURNISH_STATUS_ARGUMENT);
+    CHECK_TEXT(error.text, "a: no robot of the scene has a moving joint named \"k\"; look up its "
+                           "name in their files");
+    static const char *const free[] = {
+        ROBOT("<link name='a'/>" LINK("b", "")
+                  JOINT("continuous", "<limit lower='-1' upper='1'/>")),
+        ROBOT("<link name='a'/>" LINK("b", "") JOINT("prismatic", "<limit effort='1'/>"))};
+    for (size_t i = 0; i < 2; ++i) {
+        OWNED_MESH *one = load_robot(free[i], joints, 1);
+        CHECK(one && burnish_mesh_get_warning_count(one) == 0, "%s", free[i]);
+    }
+}
+
 /* ---- Memory ---- */
 
 static burnish_status make_scene(const void *data, const burnish_load_options *options,
@@ -462,6 +495,7 @@ int main(int count, char **arguments) {
         RUN(test_followers());
         RUN(test_shapes());
         RUN(test_robot_errors());
+        RUN(test_joints());
         RUN(test_memory());
     }
     return test_end("scenes");

@@ -16,9 +16,11 @@ typedef struct burnish_reader_input {
                            same one, and nothing may be outside it */
     int is_archived;    /* 1: companions are parts of the input, and counted when unpacked */
     const struct burnish_streaming
-        *streamed;     /* streaming.h: only the head is at `bytes`; NULL: all */
-    size_t chunk_size; /* bytes of a chunk of text; 0: BURNISH_CHUNK_SIZE. Only tests set it. */
-    double *told;      /* the progress last reported to the context; NULL: not reported */
+        *streamed;        /* streaming.h: only the head is at `bytes`; NULL: all */
+    size_t chunk_size;    /* bytes of a chunk of text; 0: BURNISH_CHUNK_SIZE. Only tests set it. */
+    uint8_t *joint_found; /* receives 1 for each joint of the options that the robot has; NULL: it
+                             must have all */
+    double *told;         /* the progress last reported to the context; NULL: not reported */
 } burnish_reader_input;
 
 /* A face of 4 corners or more: a fan until all positions are there, then cut by them. */

@@ -38,8 +38,9 @@ typedef struct burnish_scene {
     size_t source_count, source_capacity;
     burnish_scene_item *items;
     size_t item_count, item_capacity;
-    const char *unit; /* of the scene; NULL: that of the first source with a unit */
-    int is_robot;     /* 1: units of files do not count, and no file is a robot */
+    const char *unit;     /* of the scene; NULL: that of the first source with a unit */
+    int is_robot;         /* 1: units of files do not count, and no file is a robot */
+    uint8_t *joint_found; /* 1: a robot of the scene has this joint of the options */
     uint64_t vertices, triangles, texels; /* of all sources */
 } burnish_scene;
 

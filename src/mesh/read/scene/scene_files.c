@@ -67,6 +67,7 @@ void burnish_scene_close(burnish_scene *scene) {
     }
     burnish_release(context, scene->sources);
     burnish_release(context, scene->items);
+    burnish_release(context, scene->joint_found);
 }
 
 /* ---- Reading ---- */
@@ -150,6 +151,7 @@ static burnish_status read_bytes(scene_file *file, const uint8_t *bytes, size_t 
                                   .options = &options,
                                   .companions = {load_companion, release_companion, outer},
                                   .folder = file->folder,
+                                  .joint_found = file->scene->joint_found,
                                   .is_archived = outer->input->is_archived};
     burnish_reader reader = {.input = &input, .mesh = mesh, .error = file->error};
     burnish_archive archive = {.zip = {0}};

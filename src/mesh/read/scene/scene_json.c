@@ -4,6 +4,7 @@
 
 #include "base/elementary.h"
 #include "base/numbers.h"
+#include "base/show_text.h"
 #include "mesh/read/common/parts.h"
 #include "mesh/read/io/json.h"
 #include "mesh/read/scene/scene.h"
@@ -248,6 +249,21 @@ static int read_unit(scene_json *s) {
                       "expected micron, millimeter, centimeter, inch, foot or meter");
 }
 
+/* Each joint of the options must be one of some robot. */
+static int check_joints(scene_json *s) {
+    const burnish_load_options *options = s->scene.reader->input->options;
+    for (size_t i = 0; i < options->joint_count; ++i) {
+        if (!s->scene.joint_found[i]) {
+            s->status = burnish_reader_fail(s->scene.reader, BURNISH_STATUS_ARGUMENT, NULL,
+                                            "no robot of the scene has a moving joint named "
+                                            "\"%.60s\"; look up its name in their files",
+                                            burnish_show_name(options->joints[i].name).text);
+            return 0;
+        }
+    }
+    return 1;
+}
+
 static void read_scene(scene_json *s) {
     const uint32_t items = burnish_json_member(&s->json, 0, "items");
     const uint32_t version = burnish_json_member(&s->json, 0, "burnish_scene");
@@ -272,18 +288,24 @@ static void read_scene(scene_json *s) {
         item = s->json.nodes[item].next;
     }
     burnish_reader_warn_group(s->scene.reader, &s->unknown);
-    if (is_fine) {
+    if (is_fine && check_joints(s)) {
         s->status = burnish_scene_join(&s->scene);
     }
 }
 
 static burnish_status scene_read(burnish_reader *reader) {
+    burnish_memory *memory = &reader->mesh->memory;
     scene_json s = {.scene = {.reader = reader}};
-    s.status = burnish_json_parse(reader, reader->input->bytes, reader->input->size, &s.json);
+    s.scene.joint_found =
+        burnish_allocate_zeroed(memory, reader->input->options->joint_count + 1, 1, "joints");
+    s.status = memory->status;
+    if (s.status == BURNISH_STATUS_OK) {
+        s.status = burnish_json_parse(reader, reader->input->bytes, reader->input->size, &s.json);
+    }
     if (s.status == BURNISH_STATUS_OK) {
         read_scene(&s);
     }
-    burnish_json_destroy(reader->mesh->memory.context, &s.json);
+    burnish_json_destroy(memory->context, &s.json);
     burnish_scene_close(&s.scene);
     return s.status;
 }

@@ -101,16 +101,36 @@ static int follow(burnish_urdf *urdf, burnish_urdf_joint *joint) {
     return 1;
 }
 
+/* Moves a joint as far as its limits allow. */
+static void set_value(burnish_urdf *urdf, burnish_urdf_joint *joint, double value) {
+    joint->value = value;
+    joint->has_value = 1;
+    if (joint->low < joint->high && !(value >= joint->low && value <= joint->high)) {
+        joint->value = value < joint->low ? joint->low : joint->high;
+        burnish_reader_warn(urdf->scene.reader, NULL,
+                            "joint \"%.60s\" is at its limit, %g, instead of %g; it moves from %g "
+                            "to %g",
+                            burnish_show_name(joint->name).text, joint->value, value, joint->low,
+                            joint->high);
+    }
+}
+
 /* Sets the values of the options, and of joints that follow another. */
 static int set_values(burnish_urdf *urdf) {
-    const burnish_load_options *options = urdf->scene.reader->input->options;
+    const burnish_reader_input *input = urdf->scene.reader->input;
+    const burnish_load_options *options = input->options;
     for (size_t i = 0; i < options->joint_count; ++i) {
         burnish_urdf_joint *joint = find_joint(urdf, options->joints[i].name);
-        if (!joint || joint->kind == BURNISH_URDF_FIXED) {
+        const int is_found = joint && joint->kind != BURNISH_URDF_FIXED;
+        if (!is_found && !input->joint_found) {
             return fail_joint(urdf, options->joints[i].name);
         }
-        joint->value = options->joints[i].value;
-        joint->has_value = 1;
+        if (is_found) {
+            set_value(urdf, joint, options->joints[i].value);
+        }
+        if (is_found && input->joint_found) {
+            input->joint_found[i] = 1;
+        }
     }
     for (size_t i = 0; i < urdf->joint_count; ++i) {
         burnish_urdf_joint *joint = &urdf->joints[i];

@@ -56,7 +56,9 @@ typedef struct burnish_urdf_joint {
     double multiplier, offset;     /* value = multiplier value of `mimic` + offset */
     uint32_t line;
     burnish_urdf_kind kind;
+    int is_endless; /* 1: it turns without limits, whatever the file states */
     double origin[12], axis[3], value;
+    double low, high;                    /* its limits; low >= high: none */
     int has_value;                       /* 1: it is final */
     struct burnish_urdf_joint *followed; /* by its mimic; NULL: none */
     int parent_link;

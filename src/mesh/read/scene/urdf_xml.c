@@ -35,6 +35,7 @@ typedef enum urdf_element {
     JOINT_PARENT,
     JOINT_CHILD,
     JOINT_AXIS,
+    JOINT_LIMIT,
     JOINT_MIMIC
 } urdf_element;
 
@@ -62,6 +63,7 @@ static const struct element_row {
     {JOINT_PARENT, JOINT, "parent"},
     {JOINT_CHILD, JOINT, "child"},
     {JOINT_AXIS, JOINT, "axis"},
+    {JOINT_LIMIT, JOINT, "limit"},
     {JOINT_MIMIC, JOINT, "mimic"},
 };
 
@@ -200,6 +202,7 @@ static void begin_joint(urdf_xml *xml, const char *const *attributes) {
         joint->kind = BURNISH_URDF_SLIDES;
     } else if (type && (strcmp(type, turning[0]) == 0 || strcmp(type, turning[1]) == 0)) {
         joint->kind = BURNISH_URDF_TURNS;
+        joint->is_endless = strcmp(type, turning[1]) == 0;
     }
 }
 
@@ -255,6 +258,11 @@ static void take_of_joint(urdf_xml *xml, urdf_element element, const char *const
         take_text(xml, attributes, "link", joint->child, sizeof joint->child);
     } else if (element == JOINT_AXIS) {
         take_numbers(xml, attributes, "xyz", 3, joint->axis);
+    } else if (element == JOINT_LIMIT) {
+        if (!joint->is_endless) {
+            take_numbers(xml, attributes, "lower", 1, &joint->low);
+            take_numbers(xml, attributes, "upper", 1, &joint->high);
+        }
     } else {
         take_text(xml, attributes, "joint", joint->mimic, sizeof joint->mimic);
         take_numbers(xml, attributes, "multiplier", 1, &joint->multiplier);
