@@ -241,6 +241,8 @@ static void test_json_errors(void) {
          "a:1: items[0].matrix: expected 16 numbers of at most 1e9"},
         {SCENE("{\"file\": \"t.obj\", \"rotate\": [1, 2]}"),
          "a:1: items[0].rotate: expected 3 numbers of at most 1e9"},
+        {SCENE("{\"file\": \"t.obj\", \"rotate\": [1e30, 0, 0]}"),
+         "a:1: items[0].rotate: expected 3 numbers of at most 1e9"},
         {SCENE("{\"file\": \"t.obj\", \"color\": \"green\"}"),
          "a:1: items[0].color: expected a colour such as \"#ff8800\" or \"#ff880080\""},
         {"{\"burnish_scene\": 1, \"up\": \"W\", \"items\": [{}]}",

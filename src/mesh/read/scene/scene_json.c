@@ -163,6 +163,9 @@ static int read_transform(scene_json *s, uint32_t object, double transform[12]) 
     } else {
         read_numbers(s, object, "scale", 3, scale);
     }
+    if (s->status != BURNISH_STATUS_OK) { /* and numbers may be huge */
+        return 0;
+    }
     for (int i = 0; i < 3; ++i) {
         sincos_of_degrees(turn[i], &sines[i], &cosines[i]);
     }
@@ -170,7 +173,7 @@ static int read_transform(scene_json *s, uint32_t object, double transform[12]) 
     for (int i = 0; i < 12; ++i) {
         transform[i] *= i % 4 < 3 ? scale[i % 4] : 1;
     }
-    return s->status == BURNISH_STATUS_OK;
+    return 1;
 }
 
 /* The name of a file without folders and extension. */
