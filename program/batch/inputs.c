@@ -1,7 +1,7 @@
 /* Finds the input files. */
 #include "batch/inputs.h"
+#include "base/archive_models.h"
 #include "base/cli/platform.h"
-#include "base/inputs.h"
 #include "batch/batch.h"
 #include "batch/types.h"
 #include "cli/input.h"
@@ -51,40 +51,34 @@ typedef enum file_kind {
     FILE_PASSED_OVER /* such an extension, but other content */
 } file_kind;
 
-/* Whether the directory at an archive's end lists one model, whose files differ in the extension.
- * The reader judges again. */
+/* Whether the directory at an archive's end lists one model. The reader judges again. */
 static int holds_one_model(const char *path) {
     static uint8_t end[1 << 20]; /* about 10000 files */
-    char name[256], last[sizeof name] = "";
+    burnish_archive_models models = {.count = 0};
+    char name[BURNISH_ARCHIVE_NAME];
     FILE *file = fopen(path, "rb");
     if (file && fseek(file, -(long)sizeof end, SEEK_END) != 0) {
         rewind(file);
     }
     const size_t size = file ? fread(end, 1, sizeof end, file) : 0;
-    int models = 0;
     for (size_t i = 0; i + 46 < size; ++i) {
         const size_t length = end[i + 28] + 256U * end[i + 29];
-        if (memcmp(end + i, "PK\1\2", 4) != 0 || length > size - i - 46) {
+        if (memcmp(end + i, "PK\1\2", 4) != 0 || length >= sizeof name || length > size - i - 46) {
             continue;
         }
         snprintf(name, sizeof name, "%.*s", (int)length, (const char *)end + i + 46);
-        const char *base = cli_base_name(name);
-        if (strcmp(name, "_rels/.rels") == 0) { /* 3MF */
-            models = 1;
+        if (burnish_archive_is_3mf(name)) {
+            models = (burnish_archive_models){.count = 1};
             break;
         }
-        if (*base != '.' && strncmp(name, "__MACOSX/", 9) != 0 && cli_is_own_mesh_name(base)) {
-            const size_t stem = cli_stem_length(base);
-            models += stem != cli_stem_length(last) ||
-                      !burnish_are_same_letters(base, last, stem) ||
-                      burnish_is_same_name(base, last); /* in another folder */
-            snprintf(last, sizeof last, "%s", base);
+        if (!burnish_archive_hides(name)) {
+            burnish_archive_take(&models, name, (int)cli_own_format(name));
         }
     }
     if (file) {
         fclose(file);
     }
-    return models == 1;
+    return models.count > 0 && !models.are_several;
 }
 
 static file_kind kind_of(const char *name, const char *path) {
@@ -97,7 +91,7 @@ static file_kind kind_of(const char *name, const char *path) {
     if (is_archive) {
         return holds_one_model(path) ? FILE_MESH : FILE_PASSED_OVER;
     }
-    return cli_is_own_mesh_name(name) ? FILE_MESH : FILE_OTHER;
+    return cli_own_format(name) != BURNISH_FORMAT_AUTO ? FILE_MESH : FILE_OTHER;
 }
 
 static int is_shown(const struct dirent *entry) {

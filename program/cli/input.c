@@ -43,19 +43,19 @@ static int ends_in(const char *name, size_t length, const char *extension, size_
     return length > size && strncasecmp(name + length - size, extension, size) == 0;
 }
 
-int cli_is_own_mesh_name(const char *name) {
+burnish_format cli_own_format(const char *name) {
     const size_t whole = strlen(name), length = whole - (ends_in(name, whole, ".gz", 3) ? 3 : 0);
     for (int i = 0; i < burnish_format_count(); ++i) {
         const char *extension = burnish_format_get_info((burnish_format)i)->extensions;
         while (*extension) {
             const size_t size = strcspn(extension, " ");
             if (ends_in(name, length, extension, size)) {
-                return 1;
+                return (burnish_format)i;
             }
             extension += size + (extension[size] == ' ');
         }
     }
-    return 0;
+    return BURNISH_FORMAT_AUTO;
 }
 
 int cli_is_mesh_name(const char *name) {
@@ -65,7 +65,7 @@ int cli_is_mesh_name(const char *name) {
             return 1;
         }
     }
-    return cli_is_own_mesh_name(name);
+    return cli_own_format(name) != BURNISH_FORMAT_AUTO;
 }
 
 const char *cli_model_name(const char *input) {
@@ -75,7 +75,9 @@ const char *cli_model_name(const char *input) {
 
 size_t cli_stem_length(const char *base) {
     const size_t whole = strlen(base);
-    size_t end = whole - (ends_in(base, whole, ".gz", 3) && cli_is_own_mesh_name(base) ? 3 : 0);
+    size_t end =
+        whole -
+        (ends_in(base, whole, ".gz", 3) && cli_own_format(base) != BURNISH_FORMAT_AUTO ? 3 : 0);
     for (size_t i = end; i-- > 1;) {
         if (base[i] == '.') {
             return i;

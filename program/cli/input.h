@@ -25,9 +25,9 @@ typedef enum cli_foreign {
 /* The file extension of an importer's format, without the dot; NULL for a burnish_format. */
 const char *cli_foreign_extension(int format);
 
-/* Whether a file's name has the extension of a format that burnish reads, also with .gz; and of one
- * that importers read. */
-int cli_is_own_mesh_name(const char *name);
+/* The format that burnish reads by a file's extension, also with .gz; AUTO: none. And whether it or
+ * importers read it. */
+burnish_format cli_own_format(const char *name);
 int cli_is_mesh_name(const char *name);
 
 /* The name of an input without folders: of the file, the file in an archive, or the built-in object. */

@@ -173,9 +173,12 @@ check "a batch of an archive: $(cat "$err")" [ -s made/b.png ]
 mkdir kits named
 (cd root/lib && python3 -c "import shutil; shutil.make_archive('../../kits/one', 'zip', '.')")
 cp kit.zip kits/several.zip
+cp root/lib/b.obj named/a.obj && cp root/lib/b.obj named
+echo '{"burnish_scene":1,"items":[{"file":"a.obj"},{"file":"b.obj"}]}' >named/s.scene.json
+(cd named && python3 -c "import shutil; shutil.make_archive('../kits/scene', 'zip', '.')" && rm ./*)
 (cd named && python3 -c "import shutil; shutil.make_archive('../kits/none', 'zip', '.')")
 gives 0 batch kits -d made --size=16
-check "an archive in a folder: $(ls made)" [ -s made/one.png ]
+check "archives in a folder: $(ls made)" [ -s made/one.png -a -s made/scene.png ]
 check "archives of no or several models are passed over" sh -c "head -n 1 made/burnish-batch.jsonl | grep -q '\"passed_over\":2}\$'"
 gives 11 batch kits/several.zip -d made --size=16
 run batch kit.zip:lib/b.obj kits/one.zip:b.obj -d made --size=16

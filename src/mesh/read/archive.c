@@ -19,38 +19,28 @@ static part_name name_of(const burnish_zip_part *part) {
     return name;
 }
 
-static const char *base_of(const char *name) {
-    const char *slash = strrchr(name, '/');
-    return slash ? slash + 1 : name;
-}
-
-/* What systems add: __MACOSX, .DS_Store and other names with a dot. */
-static int is_hidden(const char *name) {
-    return name[0] == '.' || strncmp(name, "__MACOSX/", 9) == 0 || strstr(name, "/.") ||
-           strstr(name, "/__MACOSX/");
-}
-
 static int is_3mf(const burnish_zip *zip) {
-    return burnish_zip_find(zip, "_rels/.rels") || burnish_zip_find(zip, "[Content_Types].xml") ||
-           burnish_zip_find(zip, "3D/3dmodel.model");
+    int found = 0;
+    for (size_t i = 0; i < zip->count && !found; ++i) {
+        found = burnish_archive_is_3mf(name_of(&zip->parts[i]).text);
+    }
+    return found;
 }
 
 /* ---- The model ---- */
 
 /* The models that an input may be. */
 typedef struct choice {
-    const burnish_zip_part *part; /* the best of `count` */
-    burnish_format format;        /* its */
-    size_t count, files;          /* files: of all kinds */
-    int are_several;              /* 1: their names differ not only in the extension */
-    size_t twins;                 /* of the best one: parts of the same name */
+    burnish_archive_models models;
+    const burnish_zip_part *part; /* the best one */
+    size_t files;                 /* of all kinds */
     char list[240];               /* their names, or those of other files */
     size_t listed;
 } choice;
 
 static int is_wanted(const char *name, const char *member) {
     return !member || burnish_is_same_name(name, member) ||
-           burnish_is_same_name(base_of(name), member);
+           burnish_is_same_name(burnish_archive_base(name), member);
 }
 
 static void list_name(choice *found, const char *name) {
@@ -63,68 +53,53 @@ static void list_name(choice *found, const char *name) {
     }
 }
 
-static void consider(choice *found, const burnish_zip_part *part, const char *name,
-                     burnish_format format) {
-    if (found->count > 0) {
-        const part_name best = name_of(found->part);
-        if (strcmp(name, best.text) == 0) {
-            found->twins += 1;
-            return;
-        }
-        found->are_several |= format == found->format; /* in another folder */
-        const char *one = base_of(name), *other = base_of(best.text);
-        const size_t stem = (size_t)(strrchr(one, '.') - one);
-        found->are_several |= stem != (size_t)(strrchr(other, '.') - other) ||
-                              !burnish_are_same_letters(one, other, stem);
-    }
-    if (found->count == 0 || format < found->format) {
-        found->part = part;
-        found->format = format;
-    }
-    found->count += 1;
-    list_name(found, name);
-}
-
 static choice find_models(const burnish_zip *zip, burnish_format wanted, const char *member) {
-    choice found = {.count = 0}, others = {.count = 0};
+    choice found = {.files = 0}, others = {.files = 0};
     for (size_t i = 0; i < zip->count; ++i) {
         const part_name name = name_of(&zip->parts[i]);
-        const burnish_format format = burnish_format_of_name(name.text);
-        if (!*base_of(name.text) || is_hidden(name.text)) {
+        const burnish_format own = burnish_format_of_name(name.text);
+        if (burnish_archive_hides(name.text)) {
             continue;
         }
         others.files += 1;
         list_name(&others, name.text);
-        if (format != BURNISH_FORMAT_AUTO && (wanted == BURNISH_FORMAT_AUTO || wanted == format) &&
-            is_wanted(name.text, member) && strchr(base_of(name.text), '.')) {
-            consider(&found, &zip->parts[i], name.text, format);
+        const int is_asked =
+            (wanted == BURNISH_FORMAT_AUTO || wanted == own) && is_wanted(name.text, member);
+        const burnish_archive_vote vote =
+            burnish_archive_take(&found.models, name.text, is_asked ? (int)own : 0);
+        if (vote == BURNISH_ARCHIVE_BEST) {
+            found.part = &zip->parts[i];
+            found.listed = found.models.count > 1 ? found.listed : 0;
+            found.list[found.listed > 0 ? strlen(found.list) : 0] = 0;
+        }
+        if (vote != BURNISH_ARCHIVE_OTHER) {
+            list_name(&found, name.text);
         }
     }
-    return found.count > 0 ? found : others;
+    return found.part ? found : others;
 }
 
 /* Fails unless the choice is clear. */
 static burnish_status check_choice(burnish_archive *archive, const choice *found,
                                    const char *member) {
-    const size_t total = found->count > 0 ? found->count : found->files;
+    const size_t count = found->models.count, total = count > 0 ? count : found->files;
     char more[40] = "";
-    if (found->count == 1 || (found->count > 1 && !found->are_several)) {
+    if (count > 0 && !found->models.are_several) {
         return BURNISH_STATUS_OK;
     }
     if (total > found->listed) {
         snprintf(more, sizeof more, " and %zu more", total - found->listed);
     }
     return burnish_reader_fail(
-        &archive->reader,
-        found->count > 1 || member ? BURNISH_STATUS_ARGUMENT : BURNISH_STATUS_FORMAT, NULL,
-        "%s (%s%s); %s",
-        found->count > 1 ? "an archive of several models"
-        : member         ? "no model of this name is in the archive"
-                 : "a ZIP archive without a model of a format that burnish reads in archives",
+        &archive->reader, count > 1 || member ? BURNISH_STATUS_ARGUMENT : BURNISH_STATUS_FORMAT,
+        NULL, "%s (%s%s); %s",
+        count > 1 ? "an archive of several models"
+        : member  ? "no model of this name is in the archive"
+                  : "a ZIP archive without a model of a format that burnish reads in archives",
         found->list, more,
-        found->count > 1 ? "name one, as in kit.zip:part.stl"
-        : member         ? "name one"
-                         : "unpack it");
+        count > 1 ? "name one, as in kit.zip:part.stl"
+        : member  ? "name one"
+                  : "unpack it");
 }
 
 /* ---- Its files ---- */
@@ -164,8 +139,8 @@ static burnish_status take_model(burnish_archive *archive, const burnish_zip_par
     const size_t skipped = size > most ? size - most : 0;
     snprintf(archive->name, sizeof archive->name, "%.*s:%s", (int)(size - skipped), outer + skipped,
              name.text);
-    snprintf(archive->folder, sizeof archive->folder, "%.*s", (int)(base_of(name.text) - name.text),
-             name.text);
+    snprintf(archive->folder, sizeof archive->folder, "%.*s",
+             (int)(burnish_archive_base(name.text) - name.text), name.text);
     burnish_status status = burnish_zip_read(&archive->zip, part, &archive->bytes, &input->size);
     input->bytes = archive->bytes;
     input->name = archive->name;
@@ -196,10 +171,10 @@ burnish_status burnish_archive_open(burnish_archive *archive, burnish_reader_inp
         const choice found = find_models(
             &archive->zip, wanted == BURNISH_FORMAT_3MF ? BURNISH_FORMAT_AUTO : wanted, member);
         status = check_choice(archive, &found, member);
-        if (status == BURNISH_STATUS_OK && found.twins > 0) {
+        if (status == BURNISH_STATUS_OK && found.models.twins > 0) {
             burnish_reader_warn(&archive->reader, NULL,
                                 "%zu files in the archive have one name (%s); the first is drawn",
-                                found.twins + 1, found.list);
+                                found.models.twins + 1, found.list);
         }
         if (status == BURNISH_STATUS_OK) {
             status = take_model(archive, found.part, input);

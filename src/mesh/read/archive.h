@@ -2,9 +2,8 @@
 #ifndef BURNISH_MESH_READ_ARCHIVE_H
 #define BURNISH_MESH_READ_ARCHIVE_H
 
+#include "base/archive_models.h"
 #include "mesh/read/io/zip.h"
-
-enum { BURNISH_ARCHIVE_NAME = 512 }; /* parts with longer names are ignored */
 
 /* An archive and its model. All zero: none. */
 typedef struct burnish_archive {
@@ -16,8 +15,8 @@ typedef struct burnish_archive {
 } burnish_archive;
 
 /* Does nothing for an input that is not an archive, or is 3MF. Otherwise *input becomes the model:
- * the one that the input's name asks for ("kit.zip:part.stl"), or the only one. Files that it refers
- * to come from the archive. Several files that differ only in their extensions are one model, of which
+ * the one that the input's name asks for ("kit.zip:part.stl"), the only one, or the only scene or
+ * robot. Files that it refers to come from the archive. Several files that differ only in their extensions are one model, of which
  * the first in BURNISH_FORMAT_LIST is taken. Errors: ARGUMENT (several models, or none of that name),
  * FORMAT, LIMIT, MEMORY. */
 burnish_status burnish_archive_open(burnish_archive *archive, burnish_reader_input *input,

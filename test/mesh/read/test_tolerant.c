@@ -648,6 +648,8 @@ static void test_foreign(void) {
 
 /* Puts the parts of a list of names, which blanks separate: a1.obj has 1 triangle. */
 static void put_parts(zip_list *zip, const char *names) {
+    static const char scene[] =
+        "{\"burnish_scene\": 1, \"items\": [{\"file\": \"a3.obj\"}, {\"file\": \"b2.obj\"}]}";
     char name[64], text[400];
     for (int size; sscanf(names, "%63s%n", name, &size) == 1; names += size) {
         const char *digit = strpbrk(name, "123456789");
@@ -659,7 +661,7 @@ static void put_parts(zip_list *zip, const char *names) {
         for (int i = 0; i < count; ++i) {
             strcat(text, is_off ? "3 0 1 2\n" : "f 1 2 3\n");
         }
-        put_part_text(zip, name, text);
+        put_part_text(zip, name, strstr(name, ".json") ? scene : text);
     }
 }
 
@@ -677,6 +679,10 @@ static void test_archives(void) {
         {"x/a3.obj x/b2.obj", "kit.zip:X/B2.obj", 2, NULL},
         {"x/a3.obj y/b2.obj", "Kit.ZIP:b2.obj", 2, NULL},
         {"x/a.obj x/a.off", "kit.zip", 1, NULL},
+        {"x/a3.obj x/b2.obj x/r.urdf x/s.scene.json", "kit.zip", 5, NULL},
+        {"x/a3.obj x/b2.obj x/s.scene.json", "kit.zip:b2.obj", 2, NULL},
+        {"x/a.obj x/s.scene.json x/t.scene.json", "kit.zip", 0,
+         "kit.zip: an archive of several models (x/s.scene.json, x/t.scene.json); name one"},
         {"x/a3.obj x/b2.obj", "in/kit.zip", 0,
          "in/kit.zip: an archive of several models (x/a3.obj, x/b2.obj); name one, as in "
          "kit.zip:part.stl"},
