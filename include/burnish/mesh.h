@@ -447,7 +447,7 @@ typedef struct burnish_mesh_info {
                                        missing; OWN: all are generated */
     int is_thumbnail;               /* 1: a picture, no geometry; there are no facts */
     int normals_replaced;           /* 1: OWN, since AUTO rejected those of the input */
-    int is_one_sided;         /* 1: glTF, or a scene of glTF, whose faces show only their front */
+    int is_one_sided; /* 1: glTF, or a scene of it; four fifths of the area at least are faces with one side */
     double animation_seconds; /* length of the animation that the options name; else 0 */
 } burnish_mesh_info;
 

@@ -229,17 +229,18 @@ run render :sphere $unseen --json -o t.png
 check "a picture of one colour is written with a warning: $(cat "$err")" grep -q 'warning: :sphere: the picture has only one colour' "$err"
 expect 0 '' render :sphere --size=16 --fail-on-blank -o t.png
 
-# A glTF room shows its inside, unless faces have two sides, it is closed, or a flag says so.
-room() { # FILE FACES MATERIALS
+# A glTF room shows its inside, unless more than a few faces have two sides, it is closed, or a flag says so.
+room() { # FILE FACES MATERIALS [INDICES of material 1]
     python3 - "$@" <<'END'
 import base64, json, struct, sys
 faces = [(0, 2, 1), (1, 2, 3), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7), (0, 4, 2), (2, 4, 6), (1, 3, 5), (3, 7, 5), (4, 5, 6), (5, 7, 6)]
 faces = [(a, c, b) for a, b, c in faces][:int(sys.argv[2])]  # without the last two: open toward +Z
 data = b"".join(struct.pack("<3f", i & 1, i >> 1 & 1, i >> 2) for i in range(8)) + b"".join(struct.pack("<3H", *f) for f in faces)
 json.dump({"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0, "materials": json.loads(f"[{sys.argv[3]}]"),
-    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1 + i, "material": i} for i in range(len(sys.argv) - 3)]}],
     "accessors": [{"bufferView": 0, "componentType": 5126, "count": 8, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1]},
-                  {"bufferView": 1, "componentType": 5123, "count": 3 * len(faces), "type": "SCALAR"}],
+                  {"bufferView": 1, "componentType": 5123, "count": 3 * len(faces), "type": "SCALAR"},
+                  {"bufferView": 1, "componentType": 5123, "count": int(sys.argv[-1]) if len(sys.argv) > 4 else 3, "type": "SCALAR"}],
     "bufferViews": [{"buffer": 0, "byteLength": 96}, {"buffer": 0, "byteOffset": 96, "byteLength": 6 * len(faces)}],
     "buffers": [{"byteLength": len(data), "uri": "data:;base64," + base64.b64encode(data).decode()}]}, open(sys.argv[1], "w"))
 END
@@ -248,11 +249,15 @@ room open.gltf 10 '{}'
 room two.gltf 10 '{"doubleSided":true}'
 room closed.gltf 12 '{}'
 room unused.gltf 10 '{},{"doubleSided":true}'
+room lamp.gltf 10 '{},{"doubleSided":true}' 3
+room screens.gltf 10 '{},{"doubleSided":true}' 9
 inside=$(hash open.gltf --size=64 --cull-back-faces) outside=$(hash open.gltf --size=64 --no-cull-back-faces)
 check "the sides of a room differ" [ "$inside" != "$outside" ]
 same "a room" "$(hash open.gltf --size=64)" "$inside"
 same "a room in a scene" "$(hash open.gltf --scene --size=64)" "$inside"
 same "a room next to an unused material" "$(hash unused.gltf --size=64)" "$inside"
+same "a room with a two-sided lamp" "$(hash lamp.gltf --size=64)" "$(hash lamp.gltf --size=64 --cull-back-faces)"
+same "a room with large two-sided faces" "$(hash screens.gltf --size=64)" "$(hash screens.gltf --size=64 --no-cull-back-faces)"
 same "a room of two-sided walls" "$(hash two.gltf --size=64)" "$outside"
 same "a closed room, or a solid that is inside out" "$(hash closed.gltf --size=64)" "$(hash closed.gltf --size=64 --no-cull-back-faces)"
 same "an open part whose faces look outward" "$(hash :teapot --size=64)" "$(hash :teapot --size=64 --no-cull-back-faces)"

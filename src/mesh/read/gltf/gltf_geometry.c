@@ -10,6 +10,7 @@
 #include "base/elementary.h"
 #include "base/numbers.h"
 #include "core/srgb.h"
+#include "core/vec3.h"
 #include "mesh/read/common/beside_faces.h"
 #include "mesh/read/common/damage.h"
 #include "mesh/read/common/local_origin.h"
@@ -22,6 +23,10 @@ enum {
     STEP = 1 << 16, /* triangles between checks for cancellation */
     GRAIN = 1 << 12 /* vertices that a thread converts at once */
 };
+
+/* Faces with two sides have at most so many times the area of the others in a mesh of one-sided
+ * ones: curtains and plants in a room. */
+static const double TWO_SIDED_MOST = 0.25;
 
 static const burnish_attribute texcoord_streams[2] = {BURNISH_TEXCOORD, BURNISH_TEXCOORD2};
 
@@ -41,6 +46,8 @@ typedef struct gltf_drawer {
     double base_color[4];      /* of lines and points */
     burnish_segment *segments; /* lines */
     size_t segment_count;
+    int sides;               /* 1: one-sided materials, 2: two-sided ones, 3: both */
+    double areas[2];         /* twice those of their triangles; unless there are both, 1 instead */
     int is_beside;           /* 1: of a file with triangles, which has drawn those */
     burnish_part_list parts; /* of triangles, or of lines and points */
 
@@ -279,14 +286,37 @@ static uint32_t corner_of(const gltf_drawer *drawer, size_t i, unsigned k) {
     return drawer->indices ? burnish_gltf_integer(drawer->indices, at, 0) : (uint32_t)at;
 }
 
+static int is_two_sided(const burnish_gltf *gltf, const burnish_gltf_primitive *primitive) {
+    if (primitive->material == BURNISH_GLTF_NONE) {
+        return 0;
+    }
+    const uint32_t value = gltf->lists[BURNISH_GLTF_MATERIALS][primitive->material];
+    return burnish_json_is_kind(&gltf->json, burnish_json_member(&gltf->json, value, "doubleSided"),
+                                BURNISH_JSON_TRUE);
+}
+
+/* Adds the primitive's triangles to the area of its kind, which nothing asks for if it is the only
+ * one. */
+static void add_area(gltf_drawer *drawer, size_t first) {
+    const burnish_mesh_data *mesh = drawer->mesh;
+    const float *positions = burnish_positions(mesh);
+    double *area = &drawer->areas[is_two_sided(drawer->gltf, drawer->primitive)];
+    *area = drawer->sides == 3 ? *area : 1;
+    for (size_t i = first; i < mesh->triangle_count && drawer->sides == 3; ++i) {
+        const uint32_t *corners = mesh->streams[BURNISH_POSITION].corners + 3 * i;
+        burnish_vec3 p[3];
+        for (int k = 0; k < 3; ++k) {
+            p[k] = burnish_vec3_loadf(positions + 3 * (size_t)corners[k]);
+        }
+        *area += burnish_vec3_length(
+            burnish_vec3_cross(burnish_vec3_sub(p[1], p[0]), burnish_vec3_sub(p[2], p[0])));
+    }
+}
+
 static void draw_triangles(gltf_drawer *drawer) {
     burnish_gltf *gltf = drawer->gltf;
     burnish_mesh_data *mesh = drawer->mesh;
-    if (drawer->primitive->material != BURNISH_GLTF_NONE) {
-        const uint32_t value = gltf->lists[BURNISH_GLTF_MATERIALS][drawer->primitive->material];
-        mesh->is_one_sided &= !burnish_json_is_kind(
-            &gltf->json, burnish_json_member(&gltf->json, value, "doubleSided"), BURNISH_JSON_TRUE);
-    }
+    const size_t first = mesh->triangle_count;
     for (size_t i = 0; i < drawer->primitive->element_count; ++i) {
         uint32_t *corners = mesh->streams[BURNISH_POSITION].corners + 3 * mesh->triangle_count;
         unsigned k = 0;
@@ -310,6 +340,7 @@ static void draw_triangles(gltf_drawer *drawer) {
         }
     }
     convert_vertices(drawer);
+    add_area(drawer, first);
 }
 
 /* Corner k of line or point i. */
@@ -408,7 +439,13 @@ static uint16_t material_at(gltf_drawer *drawer, const burnish_gltf_primitive *p
 
 /* Splats are drawn alone. */
 static int is_undrawn(const gltf_drawer *drawer, const burnish_gltf_primitive *primitive) {
-    return drawer->is_beside && primitive->splats[0] != BURNISH_GLTF_NONE;
+    return drawer->has[BURNISH_SPLAT] != (primitive->splats[0] != BURNISH_GLTF_NONE);
+}
+
+static void find_splats(gltf_drawer *drawer, const burnish_gltf_node *node, const double matrix[12],
+                        const burnish_gltf_primitive *primitive) {
+    (void)node, (void)matrix;
+    drawer->has[BURNISH_SPLAT] |= primitive->splats[0] != BURNISH_GLTF_NONE;
 }
 
 static void draw_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
@@ -456,8 +493,10 @@ static void count_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
     if (kind != drawer->kind || is_undrawn(drawer, primitive)) {
         burnish_gltf_note(gltf, &gltf->undrawn, primitive->value,
                           "%s are not drawn in a file with %s",
-                          kind == drawer->kind ? "splats" : kinds[kind],
-                          kinds[drawer->is_beside ? BURNISH_GLTF_TRIANGLES : drawer->kind]);
+                          primitive->splats[0] != BURNISH_GLTF_NONE ? "splats" : kinds[kind],
+                          drawer->has[BURNISH_SPLAT] ? "splats"
+                          : drawer->is_beside        ? "triangles"
+                                                     : kinds[drawer->kind]);
         return;
     }
     const size_t vertices = gltf->accessors[primitive->position].count;
@@ -467,8 +506,8 @@ static void count_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
     drawer->vertices += most;
     drawer->most_used = most > drawer->most_used ? most : drawer->most_used;
     drawer->most_vertices = vertices > drawer->most_vertices ? vertices : drawer->most_vertices;
+    drawer->sides |= 1 << is_two_sided(gltf, primitive);
     drawer->has[BURNISH_NORMAL] |= primitive->normal != BURNISH_GLTF_NONE;
-    drawer->has[BURNISH_SPLAT] |= primitive->splats[0] != BURNISH_GLTF_NONE;
     drawer->has[BURNISH_TANGENT] |= primitive->tangent != BURNISH_GLTF_NONE;
     drawer->has[BURNISH_COLOR] |=
         primitive->color != BURNISH_GLTF_NONE ||
@@ -603,6 +642,7 @@ static void reserve_streams(gltf_drawer *drawer, size_t segments) {
 static void draw_all(gltf_drawer *drawer) {
     drawer->mesh->streams[BURNISH_POSITION].count = drawer->mesh->triangle_count = 0;
     drawer->segment_count = 0;
+    drawer->areas[0] = drawer->areas[1] = 0;
     burnish_parts_release(&drawer->parts);
     drawer->gltf->reader->damage = (burnish_warning_group){0};
     if (drawer->gltf->status == BURNISH_STATUS_OK) {
@@ -631,6 +671,9 @@ static void choose_kind(gltf_drawer *drawer) {
          --kind) {
         drawer->kind = (burnish_gltf_kind)kind;
         gltf->undrawn = (burnish_warning_group){0};
+        if (kind == BURNISH_GLTF_POINTS) {
+            for_each_primitive(drawer, find_splats);
+        }
         for_each_primitive(drawer, count_primitive);
     }
 }
@@ -750,6 +793,7 @@ void burnish_gltf_read_geometry(burnish_gltf *gltf) {
     if (!options->origin) {
         draw_from_origin(&drawer);
     }
+    drawer.mesh->is_one_sided = drawer.areas[1] <= TWO_SIDED_MOST * drawer.areas[0];
     const size_t count = drawer.mesh->streams[BURNISH_POSITION].count;
     for (int i = 0; i < BURNISH_ATTRIBUTE_COUNT; ++i) {
         drawer.mesh->streams[i].count = drawer.has[i] ? count : 0;
