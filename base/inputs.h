@@ -38,6 +38,18 @@ static inline const char *burnish_archive_member(const char *name) {
     return NULL;
 }
 
+/* The extension of a path in lower case, without the dot; "": none, or too long. Importers go by it. */
+enum { BURNISH_EXTENSION_SIZE = 12 };
+static inline void burnish_lower_extension(const char *path, char to[BURNISH_EXTENSION_SIZE]) {
+    const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
+    const size_t size = dot ? strlen(dot + 1) : 0;
+    for (size_t i = 0; i < size && size < BURNISH_EXTENSION_SIZE; ++i) {
+        const char c = dot[1 + i];
+        to[i] = (char)(c >= 'A' && c <= 'Z' ? c | 32 : c);
+    }
+    to[size < BURNISH_EXTENSION_SIZE ? size : 0] = 0;
+}
+
 /* open(), of the archive if the name is of a file in one. */
 static inline int burnish_open_input(const char *name, int flags) {
     char path[BURNISH_INPUT_PATH];

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/cli/options.h"
+#include "base/inputs.h"
 #include "cli/input.h"
 #include "import/folder.h"
 #include "import/importers.h"
@@ -64,7 +65,7 @@ const import_program *import_of_extension(const char *extension) {
 const import_program *import_find(const char *name) {
     char extension[IMPORT_EXTENSION_SIZE], word[IMPORT_EXTENSION_SIZE + 4];
     import_get_extension(name, extension);
-    if (!*extension || *name == ':') {
+    if (!*extension || *name == ':' || burnish_archive_member(name)) { /* the reader asks */
         return NULL;
     }
     snprintf(word, sizeof word, " .%s ", extension);
@@ -109,7 +110,9 @@ const import_program *import_choose(const char *input, int format,
 
 const char *import_format_word(const char *name, int requested, burnish_format format,
                                char extension[IMPORT_EXTENSION_SIZE]) {
-    return format == BURNISH_FORMAT_BMS && import_choose(name, requested, extension)
+    const char *member = burnish_archive_member(name);
+    return format == BURNISH_FORMAT_BMS &&
+                   import_choose(member ? member : name, requested, extension)
                ? extension
                : burnish_format_get_info(format)->name;
 }

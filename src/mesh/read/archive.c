@@ -53,20 +53,29 @@ static void list_name(choice *found, const char *name) {
     }
 }
 
-static choice find_models(const burnish_zip *zip, burnish_format wanted, const char *member) {
+/* The format of a file by its name; COUNT: an importer's, which only a name that is asked for may be. */
+static int format_of(const char *name, const burnish_load_options *options, const char *member) {
+    const burnish_format own = burnish_format_of_name(name);
+    const int is_any = options->format == BURNISH_FORMAT_AUTO ||
+                       options->format == BURNISH_FORMAT_3MF; /* what an archive seems to be */
+    if (own == BURNISH_FORMAT_AUTO) {
+        return is_any && member && options->decoder.decode ? BURNISH_FORMAT_COUNT : 0;
+    }
+    return is_any || own == options->format ? (int)own : 0;
+}
+
+static choice find_models(const burnish_zip *zip, const burnish_load_options *options,
+                          const char *member) {
     choice found = {.files = 0}, others = {.files = 0};
     for (size_t i = 0; i < zip->count; ++i) {
         const part_name name = name_of(&zip->parts[i]);
-        const burnish_format own = burnish_format_of_name(name.text);
         if (burnish_archive_hides(name.text)) {
             continue;
         }
         others.files += 1;
         list_name(&others, name.text);
-        const int is_asked =
-            (wanted == BURNISH_FORMAT_AUTO || wanted == own) && is_wanted(name.text, member);
-        const burnish_archive_vote vote =
-            burnish_archive_take(&found.models, name.text, is_asked ? (int)own : 0);
+        const int format = is_wanted(name.text, member) ? format_of(name.text, options, member) : 0;
+        const burnish_archive_vote vote = burnish_archive_take(&found.models, name.text, format);
         if (vote == BURNISH_ARCHIVE_BEST) {
             found.part = &zip->parts[i];
             found.listed = found.models.count > 1 ? found.listed : 0;
@@ -99,7 +108,7 @@ static burnish_status check_choice(burnish_archive *archive, const choice *found
         found->list, more,
         count > 1 ? "name one, as in kit.zip:part.stl"
         : member  ? "name one"
-                  : "unpack it");
+                  : "name it, as in kit.zip:part.fbx, or unpack it");
 }
 
 /* ---- Its files ---- */
@@ -128,6 +137,23 @@ static void release_part(void *user_data, const void *bytes, size_t size) {
 
 /* ---- Opening ---- */
 
+/* Lets an importer make a mesh stream of a model of another format. */
+static burnish_status import_model(burnish_archive *archive, burnish_reader_input *input) {
+    const burnish_stream_decoder *decoder = &input->options->decoder;
+    char extension[BURNISH_EXTENSION_SIZE];
+    burnish_error why = {0};
+    burnish_lower_extension(archive->name, extension);
+    const burnish_status status =
+        decoder->decode(decoder->user_data, extension, archive->bytes, input->size,
+                        &archive->stream, &archive->stream_size, &why);
+    if (status != BURNISH_STATUS_OK) {
+        return burnish_fail(archive->reader.error, status, "%s", why.text);
+    }
+    input->bytes = archive->stream;
+    input->size = archive->stream_size;
+    return BURNISH_STATUS_OK;
+}
+
 /* Makes the part the input. */
 static burnish_status take_model(burnish_archive *archive, const burnish_zip_part *part,
                                  burnish_reader_input *input) {
@@ -150,7 +176,9 @@ static burnish_status take_model(burnish_archive *archive, const burnish_zip_par
     if (input->options->ignore_referenced_files) {
         input->companions = (burnish_file_loader){0};
     }
-    if (status == BURNISH_STATUS_OK) {
+    if (status == BURNISH_STATUS_OK && burnish_format_of_name(name.text) == BURNISH_FORMAT_AUTO) {
+        status = import_model(archive, input);
+    } else if (status == BURNISH_STATUS_OK) {
         status = burnish_unpack_input(input, memory, &archive->text);
     }
     return status;
@@ -167,9 +195,7 @@ burnish_status burnish_archive_open(burnish_archive *archive, burnish_reader_inp
     burnish_status status = burnish_zip_open(&archive->zip, &archive->reader);
     if (status == BURNISH_STATUS_OK && !is_3mf(&archive->zip)) {
         const char *member = burnish_archive_member(input->name);
-        const burnish_format wanted = input->options->format;
-        const choice found = find_models(
-            &archive->zip, wanted == BURNISH_FORMAT_3MF ? BURNISH_FORMAT_AUTO : wanted, member);
+        const choice found = find_models(&archive->zip, input->options, member);
         status = check_choice(archive, &found, member);
         if (status == BURNISH_STATUS_OK && found.models.twins > 0) {
             burnish_reader_warn(&archive->reader, NULL,
@@ -184,6 +210,11 @@ burnish_status burnish_archive_open(burnish_archive *archive, burnish_reader_inp
 }
 
 void burnish_archive_close(burnish_archive *archive) {
+    const burnish_stream_decoder *decoder =
+        archive->stream ? &archive->input.options->decoder : NULL;
+    if (decoder && decoder->release) {
+        decoder->release(decoder->user_data, archive->stream, archive->stream_size);
+    }
     if (archive->reader.mesh) {
         burnish_release(archive->reader.mesh->memory.context, archive->bytes);
         burnish_release(archive->reader.mesh->memory.context, archive->text);

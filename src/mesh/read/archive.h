@@ -11,6 +11,8 @@ typedef struct burnish_archive {
     burnish_reader reader; /* counts what is unpacked */
     burnish_zip zip;
     uint8_t *bytes, *text; /* of the model, and its text in UTF-8 if it is UTF-16 */
+    const uint8_t *stream; /* of an importer, the decoder's; NULL: none */
+    size_t stream_size;
     char folder[BURNISH_ARCHIVE_NAME], name[2 * BURNISH_ARCHIVE_NAME];
 } burnish_archive;
 

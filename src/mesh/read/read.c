@@ -240,6 +240,16 @@ static void show_transparent(burnish_reader *reader) {
 
 /* ---- Reading ---- */
 
+/* Draws what is fully transparent, and reports that parts have been merged. */
+static void finish(burnish_reader *reader) {
+    show_transparent(reader);
+    if (reader->mesh->part_count == BURNISH_PARTS_MAX) {
+        burnish_reader_warn(reader, NULL,
+                            "part %d takes all further ones; split the file to hide or colour them",
+                            BURNISH_PARTS_MAX);
+    }
+}
+
 burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
     const burnish_reader_input *input = reader->input;
     if (input->size == 0) {
@@ -296,7 +306,7 @@ burnish_status burnish_read(burnish_reader *reader, burnish_format *format) {
     }
     if (status == BURNISH_STATUS_OK) {
         reader->mesh->has_average_normals |= formats[*format].reader->averages_normals;
-        show_transparent(reader);
+        finish(reader);
     }
     return status;
 }

@@ -694,7 +694,7 @@ static void test_archives(void) {
          "kit.zip:b: no model of this name is in the archive (m/a.mtl, x/a3.obj); name one"},
         {"x/a.fbx .a.obj", "kit.zip", 0,
          "kit.zip: a ZIP archive without a model of a format that burnish reads in archives "
-         "(m/a.mtl, x/a.fbx); unpack it"},
+         "(m/a.mtl, x/a.fbx); name it, as in kit.zip:part.fbx, or unpack it"},
         {"a1.obj", "kit.zip", 1, "kit.zip:a1.obj:1: material library \"../m/a.mtl\" was not read"},
         {"../x/a1.obj", "kit.zip", 0, "kit.zip: a ZIP archive without a model"},
     };

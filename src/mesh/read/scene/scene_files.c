@@ -72,18 +72,10 @@ void burnish_scene_close(burnish_scene *scene) {
 
 /* ---- Reading ---- */
 
-enum { EXTENSION = 12 };
-
 /* Whether an importer should make a mesh stream of a file; its extension in lower case. */
-static int needs_importer(const scene_file *file, char extension[EXTENSION]) {
-    const char *slash = strrchr(file->path, '/'), *base = slash ? slash + 1 : file->path;
-    const char *dot = strrchr(base, '.');
-    const size_t size = dot ? strlen(dot + 1) : 0;
-    for (size_t i = 0; i <= size && size < EXTENSION; ++i) {
-        const char c = size > 0 ? dot[1 + i] : 0;
-        extension[i] = (char)(c >= 'A' && c <= 'Z' ? c | 32 : c);
-    }
-    return file->scene->reader->input->options->decoder.decode && size > 0 && size < EXTENSION &&
+static int needs_importer(const scene_file *file, char extension[BURNISH_EXTENSION_SIZE]) {
+    burnish_lower_extension(file->path, extension);
+    return file->scene->reader->input->options->decoder.decode && *extension &&
            burnish_format_of_name(file->path) == BURNISH_FORMAT_AUTO &&
            burnish_guess_format(file->bytes, file->size, file->path) == BURNISH_FORMAT_AUTO;
 }
@@ -254,7 +246,7 @@ static burnish_status load_file(scene_file *file) {
     burnish_reader *reader = file->scene->reader;
     const burnish_file_loader *companions = &reader->input->companions;
     const uint64_t key = burnish_companion_key(file->given);
-    char extension[EXTENSION];
+    char extension[BURNISH_EXTENSION_SIZE];
     burnish_status status = companions->load(companions->user_data, file->given,
                                              reader->input->options->max_input_bytes, &file->bytes,
                                              &file->size, file->error);
