@@ -33,6 +33,8 @@ static const struct near_file {
     {"two.obj", "o \xC3\xA9\n" TETRAHEDRON "o b\n" HIGHER},
     {"vn.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 1 1\nf 1//1 2//1 3//1\n"},
     {"points.ply", "ply\nformat ascii 1.0\nelement vertex 2\n" XYZ "end_header\n0 0 0\n1 2 3\n"},
+    {"up.ply", "ply\nformat ascii 1.0\nelement vertex 1\n" XYZ "property float nx\n"
+               "property float ny\nproperty float nz\nend_header\n0 0 0 0 0.6 0.8\n"},
     {"tinted.ply", "ply\nformat ascii 1.0\nelement vertex 3\n" XYZ
                    "property uchar red\nproperty uchar green\nproperty uchar blue\n"
                    "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
@@ -198,6 +200,10 @@ static void test_clouds(void) {
     static const double points[POINTS][3] = {{0, 0, 0}, {1, 2, 3}, {0, 0, 9}, {1, 2, 12}};
     CHECK1(both && burnish_mesh_get_info(both)->point_count == 4);
     check_points("clouds", both, POINTS, points);
+    OWNED_MESH *up = load_scene(SCENE("{\"file\": \"up.ply\", \"scale\": [1, 1, 2]}"));
+    const float *normal = up ? burnish_mesh_get_view(up)->normals : NULL;
+    CHECK1(normal && fabsf(normal[1] - 0.832050294f) < 1e-6f &&
+           fabsf(normal[2] - 0.554700196f) < 1e-6f);
     OWNED_MESH *mixed = load_scene(SCENE("{\"file\": \"points.ply\"}, {\"file\": \"t.obj\"}"));
     CHECK1(mixed && burnish_mesh_get_view(mixed)->triangle_count == 4);
     CHECK_TEXT(mixed ? burnish_mesh_get_warning(mixed, 0) : "",

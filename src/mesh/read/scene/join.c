@@ -5,6 +5,7 @@
 
 #include "base/elementary.h"
 #include "core/srgb.h"
+#include "core/vec3.h"
 #include "mesh/data/material.h"
 #include "mesh/read/common/local_origin.h"
 #include "mesh/read/common/parts.h"
@@ -106,6 +107,12 @@ static void move_items(const burnish_mesh_data *mesh, burnish_attribute attribut
         if (attribute == BURNISH_NORMAL) {
             float *normal = (float *)to + 3 * i;
             turn_vector(cofactors, 3, normal, normal);
+            if (mesh->point_count > 0) { /* those of meshes become unit vectors later */
+                const burnish_vec3 unit = burnish_vec3_normalize(burnish_vec3_loadf(normal));
+                normal[0] = (float)unit.x;
+                normal[1] = (float)unit.y;
+                normal[2] = (float)unit.z;
+            }
         } else if (attribute == BURNISH_TANGENT) {
             float *tangent = (float *)to + 4 * i;
             turn_vector(m, 4, tangent, tangent);
