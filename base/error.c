@@ -86,8 +86,8 @@ burnish_reason burnish_errno_reason(int code) {
 }
 
 burnish_status burnish_fail_memory(burnish_error *error, const char *what, size_t bytes) {
-    return burnish_fail(
-        error, BURNISH_STATUS_MEMORY,
-        "out of memory: no %zu bytes for %s; raise max-memory, free memory, or use a smaller input",
-        bytes, burnish_show_name(what).text);
+    return burnish_fail(error, BURNISH_STATUS_MEMORY,
+                        "out of memory: no %zu bytes for %s; raise --max-memory, free memory, or "
+                        "use a smaller input",
+                        bytes, burnish_show_name(what).text);
 }

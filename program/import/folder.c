@@ -47,10 +47,11 @@ burnish_status folder_fail(const char *name, int code, burnish_error *error) {
 }
 
 burnish_status folder_fail_memory(const char *name, uint64_t bytes, burnish_error *error) {
-    return cli_fail(error, BURNISH_STATUS_MEMORY,
-                    "out of memory: no %llu bytes for %s; raise max-memory, free memory, or use a "
-                    "smaller input",
-                    (unsigned long long)bytes, burnish_show_name(name).text);
+    return cli_fail(
+        error, BURNISH_STATUS_MEMORY,
+        "out of memory: no %llu bytes for %s; raise --max-memory, free memory, or use a "
+        "smaller input",
+        (unsigned long long)bytes, burnish_show_name(name).text);
 }
 
 static burnish_status fail_size(const char *name, uint64_t max_bytes, burnish_error *error) {

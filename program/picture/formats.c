@@ -168,6 +168,7 @@ static int is_own_picture(const char *path) {
         MARK("v/1\x01", "software\0string\0\7\0\0\0burnish"),
         MARK("GIF89a", "\x21\xFE\x07"
                        "burnish"),
+        MARK("\x93NUMPY", "{'shape': "), /* NumPy itself sorts the keys */
         MARK("RIFF", "\0\0burnish"),
         MARK("<svg xmlns", "<!-- burnish -->"),
         MARK("%PDF-1.4", "%burnish\n"),

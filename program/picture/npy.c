@@ -23,8 +23,8 @@ static void put_head(uint8_t *to, const picture_array *array) {
     to[8] = HEAD_SIZE - MAGIC_SIZE;
     to[9] = 0;
     const int size = snprintf((char *)to + MAGIC_SIZE, HEAD_SIZE - MAGIC_SIZE,
-                              "{'descr': '%s', 'fortran_order': False, 'shape': %s, }",
-                              kinds[array->kind].word, shape);
+                              "{'shape': %s, 'fortran_order': False, 'descr': '%s', }", shape,
+                              kinds[array->kind].word);
     to[MAGIC_SIZE + size] = ' ';
     to[HEAD_SIZE - 1] = '\n';
 }

@@ -195,13 +195,13 @@ size_t render_list_input_needs(const render_settings *settings, const burnish_me
                                 "points have no edges; omit the flag"};
     needs[count++] = (cli_need){
         "color,no-colors,material,opacity,specular,exponent,lobe,equation,viewer,light,ambient,"
-        "exposure,tone-mapping,occlusion,ground,shadow,raytracing,edges,wireframe,hidden-lines,"
+        "exposure,tone-mapping,occlusion,ground,shadow,edges,wireframe,hidden-lines,"
         "center-lines,outline-contrast,samples,normals,point-size",
         mesh && !burnish_mesh_get_view(mesh)->splats,
         "splats have colours of their own and no light; omit the flag"};
     needs[count++] =
         (cli_need){"raytracing", mesh && burnish_mesh_get_view(mesh)->point_radius == 0,
-                   "rays are cast at triangles, not at points; omit the flag"};
+                   "rays are cast at triangles, not at points or splats; omit the flag"};
     return count;
 }
 

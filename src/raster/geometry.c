@@ -190,7 +190,7 @@ burnish_status burnish_check_overdraw(double overdraw, double limit, const char 
     }
     return burnish_fail(error, BURNISH_STATUS_LIMIT,
                         "the triangles cover %s %.0f times, which takes long; the limit is %.0f: "
-                        "raise max-overdraw, or leave out what is hidden",
+                        "raise --max-overdraw, or leave out what is hidden",
                         what, overdraw, limit);
 }
 

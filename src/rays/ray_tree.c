@@ -418,7 +418,7 @@ burnish_status burnish_ray_tree_update(burnish_ray_tree *tree, const burnish_ray
     if (status == BURNISH_STATUS_OK && tree->work > mesh->most_work) {
         status = burnish_fail(memory->error, BURNISH_STATUS_LIMIT,
                               "rays would be tested against %.0f triangles each, which takes long; "
-                              "the limit is %.0f: raise max-overdraw, or omit raytracing",
+                              "the limit is %.0f: raise --max-overdraw, or omit raytracing",
                               tree->work, mesh->most_work);
     }
     return status;

@@ -378,6 +378,7 @@ expect 0 '' render :sphere --height=30 --width=70 -o out.png
 same "both sides" "$(png_size out.png)" "70 30"
 expect 0 '' :sphere turn.gif -q --size=8 --frames=2
 same "an animation" "$(head -c 3 turn.gif)" GIF
+expect 0 '' :sphere own.npy -q --size=8 && expect 0 '' :sphere own.npy -q --size=8
 echo texture >foreign.png
 expect 2 'burnish: foreign.png: exists and was not written by burnish; replace it with --overwrite, or name the picture with --output=FILE' \
     :sphere foreign.png

@@ -47,7 +47,7 @@ too_much() { # FILE WHERE FLAGS...
     file=$1 where=$2
     shift 2
     gives 5 render "$file" --up=format --threads=1 -o h.png "$@"
-    check "$file $*: $(cat "$err")" grep -qx "burnish: the triangles cover $where [0-9]* times, which takes long; the limit is [0-9]*: raise max-overdraw, or leave out what is hidden" "$err"
+    check "$file $*: $(cat "$err")" grep -qx "burnish: the triangles cover $where [0-9]* times, which takes long; the limit is [0-9]*: raise --max-overdraw, or leave out what is hidden" "$err"
     check "$file $*: no picture" [ ! -e h.png ]
 }
 # layers COUNT: triangles behind one another, of each of which a picture from above shows half.

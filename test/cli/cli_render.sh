@@ -271,6 +271,7 @@ illegible() {
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 900 0 900\nv 901 0 900\nv 900 1 900\nf 1 2 3\nf 4 5 6\n' >apart.obj
 printf 'v 0 0 0\nv 900 0 0\nv 0 .1 0\nf 1 2 3\n' >wire.obj
 illegible ':sphere: the picture is nearly black; raise --exposure or --ambient, or use --color' :sphere --light=none --ambient=0
+illegible ':knot: the picture is nearly black; raise --exposure or --ambient, or use --color' :knot --light=none --ambient=0 --size=32
 illegible ':sphere: the picture has only one colour: the object is invisible; check --color, --light and --background-color' :sphere $unseen
 illegible ':sphere: the picture shows the object in the colour of its background; change --background-color' \
     :sphere --look=plain --light=none --ambient=.97 --specular=0 --color=white --edges=none --size=64

@@ -167,7 +167,7 @@ if [ "$code" = 6 ]; then
     check "memory: $(cat "$err")" grep -qE '^burnish: out of memory: no [0-9]+ bytes for [^;]+; ' "$err"
     truncate -s 100000084 many.stl
     printf '\200\204\036' | dd of=many.stl bs=1 seek=80 conv=notrunc 2>/dev/null # 2,000,000 triangles
-    expect 6 'burnish: out of memory: no 72000000 bytes for positions; raise max-memory, free memory, or use a smaller input' \
+    expect 6 'burnish: out of memory: no 72000000 bytes for positions; raise --max-memory, free memory, or use a smaller input' \
         render many.stl --max-memory=80M --threads=1 -o a.png
     rm -f many.stl
 fi

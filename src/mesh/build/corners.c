@@ -125,7 +125,7 @@ static burnish_status check_crowded(const burnish_builder *b, uint64_t crowded) 
                : burnish_fail(b->memory->error, BURNISH_STATUS_LIMIT,
                               "%s: too many triangles meet in the same vertices: %llu corners at "
                               "those of more than %d triangles, and %llu are the limit; set "
-                              "max-triangles to draw them, or leave out repeated triangles",
+                              "--max-triangles to draw them, or leave out repeated triangles",
                               burnish_show_name(b->name).text, (unsigned long long)crowded, CROWD,
                               (unsigned long long)most);
 }

@@ -81,6 +81,18 @@ burnish_status burnish_mesh_data_reserve_corners(burnish_mesh_data *mesh,
     return mesh->memory.status;
 }
 
+void burnish_mesh_data_list_warning(burnish_mesh_data *mesh, const char *line) {
+    mesh->warnings = burnish_reserve(&mesh->memory, mesh->warnings, &mesh->warning_capacity,
+                                     mesh->warning_count + 1, sizeof *mesh->warnings, "warnings");
+    char *copy = burnish_allocate(&mesh->memory, strlen(line) + 1, 1, "warnings");
+    if (mesh->memory.status == BURNISH_STATUS_OK) {
+        strcpy(copy, line);
+        mesh->warnings[mesh->warning_count++] = copy;
+    } else {
+        burnish_release(mesh->memory.context, copy);
+    }
+}
+
 void burnish_mesh_data_warn(burnish_mesh_data *mesh, const char *format, ...) {
     char line[WARNING_SIZE];
     va_list arguments;
@@ -92,16 +104,7 @@ void burnish_mesh_data_warn(burnish_mesh_data *mesh, const char *format, ...) {
     va_end(arguments);
     burnish_clean_text(line);
     burnish_context_warn(mesh->memory.context, line);
-    if (mesh->warning_count >= WARNING_LIMIT) {
-        return;
-    }
-    mesh->warnings = burnish_reserve(&mesh->memory, mesh->warnings, &mesh->warning_capacity,
-                                     mesh->warning_count + 1, sizeof *mesh->warnings, "warnings");
-    char *copy = burnish_allocate(&mesh->memory, strlen(line) + 1, 1, "warnings");
-    if (mesh->memory.status == BURNISH_STATUS_OK) {
-        strcpy(copy, line);
-        mesh->warnings[mesh->warning_count++] = copy;
-    } else {
-        burnish_release(mesh->memory.context, copy);
+    if (mesh->warning_count < WARNING_LIMIT) {
+        burnish_mesh_data_list_warning(mesh, line);
     }
 }

@@ -121,6 +121,9 @@ void burnish_mesh_data_destroy(burnish_mesh_data *mesh);
 /* Releases the values and corners of one attribute. */
 void burnish_mesh_data_drop(burnish_mesh_data *mesh, burnish_attribute attribute);
 
+/* Appends a warning to the list alone, however long it is. */
+void burnish_mesh_data_list_warning(burnish_mesh_data *mesh, const char *line);
+
 /* Appends a warning and sends it to the context's log. At most 16 warnings are kept. */
 __attribute__((format(printf, 2, 3))) void burnish_mesh_data_warn(burnish_mesh_data *mesh,
                                                                   const char *format, ...);

@@ -263,7 +263,7 @@ static burnish_status paint(painter *p, burnish_render_report *report, burnish_e
         return burnish_fail(
             error, BURNISH_STATUS_LIMIT,
             "the splats take as long as triangles that cover the picture %.0f times; "
-            "the limit is %.0f: raise max-overdraw, or move the camera away",
+            "the limit is %.0f: raise --max-overdraw, or move the camera away",
             report->overdraw, limit);
     }
     for (int i = 0; i < 4; ++i) {

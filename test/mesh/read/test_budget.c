@@ -140,7 +140,7 @@ static void test_faces(void) {
         CHECK(burnish_read(&reader, &format) == BURNISH_STATUS_LIMIT, "%s", names[i]);
         snprintf(line, sizeof line,
                  "%s: its 40000 bytes become more than 5242880 vertices and triangles; set "
-                 "max-triangles to draw them, or unpack the file first",
+                 "--max-triangles to draw them, or unpack the file first",
                  names[i]);
         CHECK_TEXT(error.text, line);
         burnish_mesh_data_destroy(&data);

@@ -175,7 +175,7 @@ static void test_reduction(void) {
     check_refused(
         text, size, "a.gcode", &options, BURNISH_STATUS_LIMIT,
         "a.gcode: its path has more than 1 pieces in a layer; draw fewer objects, or raise "
-        "max-memory and max-triangles");
+        "--max-memory and --max-triangles");
 }
 
 /* A file that is read in pieces is the mesh of its bytes. */

@@ -196,7 +196,7 @@ static void test_limits(void) {
     options.max_triangles = 2;
     check_refused(text, strlen(text), "a.obj", &options, BURNISH_STATUS_LIMIT,
                   "a.obj: 3 points are too many: each counts as a triangle; raise "
-                  "max-triangles, or thin them out");
+                  "--max-triangles, or thin them out");
     options = burnish_load_options_default();
     options.point_size = -1;
     CHECK1(burnish_mesh_load_memory(text, strlen(text), "a.obj", &options, &mesh, &error) ==

@@ -62,6 +62,11 @@ static burnish_status load_near(void *user_data, const char *name, uint64_t max_
             return BURNISH_STATUS_OK;
         }
     }
+    if (strncmp(name, "odd", 3) == 0) { /* with a warning */
+        *bytes = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nmtllib none.mtl\n";
+        *size = strlen(*bytes);
+        return BURNISH_STATUS_OK;
+    }
     return burnish_fail(error, BURNISH_STATUS_READ, "%s: is not there", name);
 }
 
@@ -225,7 +230,7 @@ static void test_budget(void) {
     const burnish_load_options options = near_options();
     check_refused(text, strlen(text), "a", &options, BURNISH_STATUS_LIMIT,
                   "a: its 818672 bytes become more than 5242880 vertices and triangles; set "
-                  "max-triangles to draw them");
+                  "--max-triangles to draw them");
 }
 
 static void test_json_errors(void) {
@@ -269,6 +274,21 @@ static void test_json_errors(void) {
                                         &error) != BURNISH_STATUS_OK);
         CHECK_TEXT(error.text, cases[i].message);
     }
+}
+
+static void test_many_warnings(void) {
+    enum { FILES = 70, LISTED = 64 };
+    char text[FILES * 32 + 64];
+    size_t size = (size_t)sprintf(text, "{\"burnish_scene\": 1, \"items\": [");
+    for (int i = 0; i < FILES; ++i) {
+        size += (size_t)sprintf(text + size, "%s{\"file\": \"odd%d.obj\"}", i > 0 ? "," : "", i);
+    }
+    strcpy(text + size, "]}");
+    OWNED_MESH *mesh = load_scene(text);
+    const size_t count = burnish_mesh_get_warning_count(mesh);
+    CHECK(count == LISTED + 1, "%zu", count);
+    CHECK_TEXT(count > 0 ? burnish_mesh_get_warning(mesh, count - 1) : "",
+               "6 more warnings of files are not listed");
 }
 
 /* ---- URDF ---- */
@@ -497,6 +517,7 @@ int main(int count, char **arguments) {
     RUN(test_clouds());
     RUN(test_budget());
     RUN(test_json_errors());
+    RUN(test_many_warnings());
     if (BURNISH_HAS_3MF) {
         RUN(test_axes());
         RUN(test_chain());

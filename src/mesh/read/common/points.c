@@ -315,9 +315,10 @@ burnish_status burnish_check_points(burnish_reader *reader, size_t count, int ar
     if (count > limit / triangles || count > BURNISH_VALUE_LIMIT / vertices) {
         return burnish_reader_fail(
             reader, BURNISH_STATUS_LIMIT, NULL,
-            are_lines ? "%zu lines are too many: each is drawn as 16 triangles; thin them out"
-                      : "%zu points are too many: each counts as a triangle; raise max-triangles, "
-                        "or thin them out",
+            are_lines
+                ? "%zu lines are too many: each is drawn as 16 triangles; thin them out"
+                : "%zu points are too many: each counts as a triangle; raise --max-triangles, "
+                  "or thin them out",
             count);
     }
     return burnish_budget_check(reader, (uint64_t)count * vertices, (uint64_t)count * triangles);

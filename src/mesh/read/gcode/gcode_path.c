@@ -124,7 +124,7 @@ burnish_status burnish_gcode_reduce(burnish_gcode *g, size_t most) {
         } else {
             return burnish_reader_fail(g->reader, BURNISH_STATUS_LIMIT, NULL,
                                        "its path has more than %zu pieces in a layer; draw fewer "
-                                       "objects, or raise max-memory and max-triangles",
+                                       "objects, or raise --max-memory and --max-triangles",
                                        most);
         }
         pass_again(g);

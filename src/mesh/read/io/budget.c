@@ -11,7 +11,7 @@ burnish_status burnish_budget_check(burnish_reader *reader, uint64_t vertices, u
     }
     return burnish_reader_fail(reader, BURNISH_STATUS_LIMIT, NULL,
                                "its %llu bytes become more than %llu vertices and triangles; set "
-                               "max-triangles to draw them%s",
+                               "--max-triangles to draw them%s",
                                (unsigned long long)bytes, (unsigned long long)most,
                                bytes < reader->input->size ? ", or unpack the file first" : "");
 }

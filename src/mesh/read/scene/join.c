@@ -540,6 +540,12 @@ burnish_status burnish_scene_join(burnish_scene *scene) {
     joining j = {.scene = scene, .mesh = to};
     const int are_clouds = settle_clouds(scene);
     match_units(scene);
+    if (scene->more_warnings > 0) {
+        char line[80];
+        snprintf(line, sizeof line, "%zu more warnings of files are not listed",
+                 scene->more_warnings);
+        burnish_mesh_data_list_warning(to, line);
+    }
     burnish_status status = join_materials(scene);
     if (status == BURNISH_STATUS_OK) {
         status = join_parts(scene);

@@ -41,6 +41,7 @@ typedef struct burnish_scene {
     const char *unit;     /* of the scene; NULL: that of the first source with a unit */
     int is_robot;         /* 1: units of files do not count, and no file is a robot */
     uint8_t *joint_found; /* 1: a robot of the scene has this joint of the options */
+    size_t more_warnings; /* of files, beyond those that are listed */
     uint64_t vertices, triangles, texels; /* of all sources */
 } burnish_scene;
 

@@ -200,8 +200,12 @@ static burnish_status import_bytes(scene_file *file, const char *extension) {
 }
 
 /* Warnings of a file are those of the scene; the context has them already. */
-static void take_warnings(burnish_mesh_data *to, burnish_mesh_data *from) {
-    for (size_t i = 0; i < from->warning_count && to->warning_count < WARNINGS_MOST; ++i) {
+static void take_warnings(burnish_scene *scene, burnish_mesh_data *from) {
+    burnish_mesh_data *to = scene->reader->mesh;
+    const size_t room = to->warning_count < WARNINGS_MOST ? WARNINGS_MOST - to->warning_count : 0;
+    const size_t taken = from->warning_count < room ? from->warning_count : room;
+    scene->more_warnings += from->warning_count - taken;
+    for (size_t i = 0; i < taken; ++i) {
         to->warnings = burnish_reserve(&to->memory, to->warnings, &to->warning_capacity,
                                        to->warning_count + 1, sizeof *to->warnings, "warnings");
         if (to->memory.status == BURNISH_STATUS_OK) {
@@ -268,7 +272,7 @@ static burnish_status load_file(scene_file *file) {
         status = needs_importer(file, extension)
                      ? import_bytes(file, extension)
                      : read_bytes(file, file->bytes, file->size, BURNISH_FORMAT_AUTO);
-        take_warnings(reader->mesh, &file->source->mesh);
+        take_warnings(file->scene, &file->source->mesh);
         if (status == BURNISH_STATUS_OK) {
             status = burnish_scene_count(file->scene, &file->source->mesh);
         }
