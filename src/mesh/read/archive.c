@@ -78,8 +78,10 @@ static choice find_models(const burnish_zip *zip, const burnish_load_options *op
         const burnish_archive_vote vote = burnish_archive_take(&found.models, name.text, format);
         if (vote == BURNISH_ARCHIVE_BEST) {
             found.part = &zip->parts[i];
-            found.listed = found.models.count > 1 ? found.listed : 0;
-            found.list[found.listed > 0 ? strlen(found.list) : 0] = 0;
+        }
+        if (vote != BURNISH_ARCHIVE_OTHER && found.models.count == 1) {
+            *found.list = 0;
+            found.listed = 0;
         }
         if (vote != BURNISH_ARCHIVE_OTHER) {
             list_name(&found, name.text);
