@@ -301,15 +301,17 @@ static void add_area(gltf_drawer *drawer, size_t first) {
     const burnish_mesh_data *mesh = drawer->mesh;
     const float *positions = burnish_positions(mesh);
     double *area = &drawer->areas[is_two_sided(drawer->gltf, drawer->primitive)];
-    *area = drawer->sides == 3 ? *area : 1;
-    for (size_t i = first; i < mesh->triangle_count && drawer->sides == 3; ++i) {
+    const int is_asked = drawer->sides == 3 && drawer->gltf->status == BURNISH_STATUS_OK;
+    *area = is_asked ? *area : 1;
+    for (size_t i = first; i < mesh->triangle_count && is_asked; ++i) {
         const uint32_t *corners = mesh->streams[BURNISH_POSITION].corners + 3 * i;
         burnish_vec3 p[3];
         for (int k = 0; k < 3; ++k) {
             p[k] = burnish_vec3_loadf(positions + 3 * (size_t)corners[k]);
         }
-        *area += burnish_vec3_length(
+        const double twice = burnish_vec3_length(
             burnish_vec3_cross(burnish_vec3_sub(p[1], p[0]), burnish_vec3_sub(p[2], p[0])));
+        *area += twice > 0 ? twice : 0; /* a bad position is NaN */
     }
 }
 

@@ -347,7 +347,6 @@ void burnish_gltf_read_materials(burnish_gltf *gltf) {
     if (!burnish_gltf_is_fine(gltf)) {
         return;
     }
-    mesh->is_one_sided = 1;
     gltf->is_lenient = 1;
     burnish_gltf_decode_ahead(gltf);
     for (size_t i = 0; i < count && gltf->status == BURNISH_STATUS_OK; ++i) {
