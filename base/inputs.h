@@ -38,16 +38,22 @@ static inline const char *burnish_archive_member(const char *name) {
     return NULL;
 }
 
-/* The extension of a path in lower case, without the dot; "": none, or too long. Importers go by it. */
+/* The extension of a path of `size` bytes, in lower case and without the dot; "": none, or too long.
+ * Importers go by it. */
 enum { BURNISH_EXTENSION_SIZE = 12 };
-static inline void burnish_lower_extension(const char *path, char to[BURNISH_EXTENSION_SIZE]) {
-    const char *slash = strrchr(path, '/'), *dot = strrchr(slash ? slash : path, '.');
-    const size_t size = dot ? strlen(dot + 1) : 0;
-    for (size_t i = 0; i < size && size < BURNISH_EXTENSION_SIZE; ++i) {
-        const char c = dot[1 + i];
+static inline void burnish_lower_extension(const char *path, size_t size,
+                                           char to[BURNISH_EXTENSION_SIZE]) {
+    size_t first = size;
+    while (first > 0 && path[first - 1] != '.' && path[first - 1] != '/') {
+        --first;
+    }
+    size = first > 0 && path[first - 1] == '.' ? size - first : 0;
+    size = size < BURNISH_EXTENSION_SIZE ? size : 0;
+    for (size_t i = 0; i < size; ++i) {
+        const char c = path[first + i];
         to[i] = (char)(c >= 'A' && c <= 'Z' ? c | 32 : c);
     }
-    to[size < BURNISH_EXTENSION_SIZE ? size : 0] = 0;
+    to[size] = 0;
 }
 
 /* open(), of the archive if the name is of a file in one. */

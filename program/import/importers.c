@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "base/cli/options.h"
-#include "base/inputs.h"
 #include "cli/input.h"
 #include "import/folder.h"
 #include "import/importers.h"
@@ -20,28 +19,10 @@ static const import_program importers[] = {
     {"burnish-import-assimp", OF_DEBIAN("ASSIMP", "libassimp-dev"), " " CLI_ASSIMP_LIST(EXTENSION),
      NULL, otherwise}};
 
-static int lower_case(int c) {
-    return c >= 'A' && c <= 'Z' ? c + 'a' - 'A' : c;
-}
-
 void import_get_extension(const char *name, char extension[IMPORT_EXTENSION_SIZE]) {
-    static const char packed[] = ".gz";
-    size_t end = strlen(name), size = sizeof packed - 1, tail = 0;
-    while (tail < size && tail < end &&
-           lower_case(name[end - 1 - tail]) == packed[size - 1 - tail]) {
-        ++tail;
-    }
-    end -= tail == size ? size : 0;
-    size_t first = end;
-    while (first > 0 && name[first - 1] != '.' && name[first - 1] != '/') {
-        --first;
-    }
-    size = first > 0 && name[first - 1] == '.' ? end - first : 0;
-    size = size < IMPORT_EXTENSION_SIZE ? size : 0;
-    for (size_t i = 0; i < size; ++i) {
-        extension[i] = (char)lower_case(name[first + i]);
-    }
-    extension[size] = 0;
+    const size_t size = strlen(name);
+    const int is_packed = size >= 3 && burnish_is_same_name(name + size - 3, ".gz");
+    burnish_lower_extension(name, size - (is_packed ? 3 : 0), extension);
 }
 
 /* The importer whose extensions contain that word: " .fbx ". */

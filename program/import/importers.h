@@ -6,6 +6,7 @@
 #ifndef TOOL_IMPORT_IMPORTERS_H
 #define TOOL_IMPORT_IMPORTERS_H
 
+#include "base/inputs.h"
 #include "burnish/mesh.h"
 
 typedef struct import_program {
@@ -19,7 +20,7 @@ typedef struct import_program {
 
 /* The extension of a name in lower case, without the dot and without a following ".gz": "fbx"; "":
  * none, or too long. */
-enum { IMPORT_EXTENSION_SIZE = 12 };
+enum { IMPORT_EXTENSION_SIZE = BURNISH_EXTENSION_SIZE };
 void import_get_extension(const char *name, char extension[IMPORT_EXTENSION_SIZE]);
 
 /* The importer of an extension in lower case; NULL: there is none. */

@@ -144,7 +144,7 @@ static burnish_status import_model(burnish_archive *archive, burnish_reader_inpu
     const burnish_stream_decoder *decoder = &input->options->decoder;
     char extension[BURNISH_EXTENSION_SIZE];
     burnish_error why = {0};
-    burnish_lower_extension(archive->name, extension);
+    burnish_lower_extension(archive->name, strlen(archive->name), extension);
     const burnish_status status =
         decoder->decode(decoder->user_data, extension, archive->bytes, input->size,
                         &archive->stream, &archive->stream_size, &why);

@@ -74,7 +74,7 @@ void burnish_scene_close(burnish_scene *scene) {
 
 /* Whether an importer should make a mesh stream of a file; its extension in lower case. */
 static int needs_importer(const scene_file *file, char extension[BURNISH_EXTENSION_SIZE]) {
-    burnish_lower_extension(file->path, extension);
+    burnish_lower_extension(file->path, strlen(file->path), extension);
     return file->scene->reader->input->options->decoder.decode && *extension &&
            burnish_format_of_name(file->path) == BURNISH_FORMAT_AUTO &&
            burnish_guess_format(file->bytes, file->size, file->path) == BURNISH_FORMAT_AUTO;
