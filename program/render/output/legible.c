@@ -104,7 +104,7 @@ static const char *find_fault(const render_result *result, const render_cell *ce
     tones = measure(result, cell, SAMPLES);
     return tones.like_ground > 0.95
                ? "shows the object in the colour of its background; change --background-color"
-           : tones.near_black > 0.9 - 3 / sqrt((double)covered) /* in outlines it mixes */
+           : tones.near_black > fmax(0.5, 0.9 - 3 / sqrt((double)covered)) /* outlines mix */
                ? "is nearly black; raise --exposure or --ambient, or use --color"
                : NULL;
 }
