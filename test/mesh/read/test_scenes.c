@@ -209,6 +209,8 @@ static void test_clouds(void) {
     const float *normal = up ? burnish_mesh_get_view(up)->normals : NULL;
     CHECK1(normal && fabsf(normal[1] - 0.832050294f) < 1e-6f &&
            fabsf(normal[2] - 0.554700196f) < 1e-6f);
+    OWNED_MESH *dot = load_scene(SCENE("{\"file\": \"points.ply\", \"scale\": 0}"));
+    CHECK1(dot && burnish_mesh_get_view(dot)->point_radius > 0);
     OWNED_MESH *mixed = load_scene(SCENE("{\"file\": \"points.ply\"}, {\"file\": \"t.obj\"}"));
     CHECK1(mixed && burnish_mesh_get_view(mixed)->triangle_count == 4);
     CHECK_TEXT(mixed ? burnish_mesh_get_warning(mixed, 0) : "",

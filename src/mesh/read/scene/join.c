@@ -476,7 +476,8 @@ static void join_clouds(const burnish_scene *scene, burnish_mesh_data *to) {
                          3);
     }
     to->point_count = to->streams[BURNISH_POSITION].count;
-    to->point_radius = (float)(radius / (double)to->point_count);
+    radius /= (double)to->point_count;
+    to->point_radius = (float)(radius > (double)FLT_MIN ? radius : (double)FLT_MIN);
     for (int a = BURNISH_POSITION + 1; a < BURNISH_ATTRIBUTE_COUNT; ++a) {
         if (to->streams[a].count != to->point_count) {
             burnish_mesh_data_drop(to, (burnish_attribute)a);
