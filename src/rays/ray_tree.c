@@ -34,6 +34,7 @@ typedef struct tree_builder {
     float (*corners)[9]; /* by number; each triangle's sorted */
     ray_box *boxes;      /* by number */
     uint32_t *order;     /* numbers, in the order of the leaves */
+    uint32_t *numbers;   /* in the mesh */
     ray_range *pieces;   /* for threads */
     size_t count, piece_count;
 } tree_builder;
@@ -107,6 +108,7 @@ static void load_triangles(tree_builder *builder) {
         if (!is_left_out(mesh, i) && !is_thin) {
             builder->boxes[builder->count] = box;
             builder->order[builder->count] = (uint32_t)builder->count;
+            builder->numbers[builder->count] = (uint32_t)i;
             ++builder->count;
         }
     }
@@ -319,6 +321,7 @@ static void pack_tree(tree_builder *builder) {
     burnish_ray_tree *tree = builder->tree;
     for (size_t i = 0; i < builder->count; ++i) {
         memcpy(tree->triangles[i], builder->corners[builder->order[i]], sizeof *tree->triangles);
+        tree->numbers[i] = builder->numbers[builder->order[i]];
     }
     uint32_t *const number = builder->order;
     tree->node_count = 0;
@@ -397,12 +400,15 @@ burnish_status burnish_ray_tree_update(burnish_ray_tree *tree, const burnish_ray
         tree->triangles =
             burnish_reserve_discard(memory, tree->triangles, &tree->triangle_capacity, room,
                                     sizeof *tree->triangles, "triangles of rays");
+        tree->numbers = burnish_reserve_discard(memory, tree->numbers, &tree->number_capacity, room,
+                                                sizeof *tree->numbers, "triangles of rays");
         tree_builder builder = {
             .tree = tree,
             .mesh = mesh,
             .corners = burnish_allocate(memory, room, sizeof *builder.corners, "corners"),
             .boxes = burnish_allocate(memory, room, sizeof *builder.boxes, "bounds of triangles"),
             .order = burnish_allocate(memory, room, sizeof *builder.order, "order of triangles"),
+            .numbers = burnish_allocate(memory, room, sizeof *builder.numbers, "triangles"),
             .pieces =
                 burnish_allocate(memory, pieces, sizeof *builder.pieces, "parts of the tree")};
         status = memory->status;
@@ -412,6 +418,7 @@ burnish_status burnish_ray_tree_update(burnish_ray_tree *tree, const burnish_ray
         burnish_release(memory->context, builder.corners);
         burnish_release(memory->context, builder.boxes);
         burnish_release(memory->context, builder.order);
+        burnish_release(memory->context, builder.numbers);
         burnish_release(memory->context, builder.pieces);
         tree->mesh = status == BURNISH_STATUS_OK ? mesh->view->serial : 0;
     }
@@ -427,6 +434,7 @@ burnish_status burnish_ray_tree_update(burnish_ray_tree *tree, const burnish_ray
 void burnish_ray_tree_destroy(burnish_ray_tree *tree, const burnish_context *context) {
     burnish_release(context, tree->nodes);
     burnish_release(context, tree->triangles);
+    burnish_release(context, tree->numbers);
     memset(tree, 0, sizeof *tree);
 }
 

@@ -1,4 +1,4 @@
-/* Rays against the triangles of a mesh: a tree of boxes, and whether anything is hit. Points are in
+/* Rays against the triangles of a mesh: a tree of boxes, and what is hit. Points are in
  * the raster's space (render/space.h): the mesh is within the unit sphere. */
 #ifndef BURNISH_RAYS_RAYS_H
 #define BURNISH_RAYS_RAYS_H
@@ -17,12 +17,13 @@ typedef struct burnish_ray_node {
 /* No path from the root is longer: splits by area for the first part of it, halves after that. */
 enum { BURNISH_RAY_SPLITS = 40, BURNISH_RAY_DEPTH = BURNISH_RAY_SPLITS + 32 };
 
-/* A tree. Owned; all zero before the first update. It takes 36 bytes per triangle and 64 per node,
- * of which there are about half as many: 70 bytes per triangle, and 170 while it is built. */
+/* A tree. Owned; all zero before the first update. It takes 40 bytes per triangle and 64 per node,
+ * of which there are about half as many: 75 bytes per triangle, and 175 while it is built. */
 typedef struct burnish_ray_tree {
     burnish_ray_node *nodes; /* the root first */
     float (*triangles)[9];   /* corners, in the order of the leaves */
-    size_t node_count, triangle_count, node_capacity, triangle_capacity;
+    uint32_t *numbers;       /* of these, in the mesh */
+    size_t node_count, triangle_count, node_capacity, triangle_capacity, number_capacity;
     uint64_t mesh; /* whose it is, burnish_mesh_view.serial; 0: nobody's */
     double work;   /* triangles that a ray from anywhere is tested against, on average */
 } burnish_ray_tree;
@@ -53,6 +54,11 @@ typedef struct burnish_ray_ops {
     /* 1 for each ray that hits a triangle, from either side, else 0. A ray along an edge hits its
      * triangles; between triangles that share corners none passes. Writes whole vectors. */
     void (*find_hits)(const burnish_ray_tree *tree, const burnish_ray_batch *rays, float *hits);
+
+    /* The same, and the nearest triangle of each that hits one, by its place in the tree, and how far
+     * it is. Of the others nothing is written but what is there. */
+    void (*find_nearest)(const burnish_ray_tree *tree, const burnish_ray_batch *rays, float *hits,
+                         float *distances, int32_t *places);
 } burnish_ray_ops;
 
 const burnish_ray_ops *burnish_ray_ops_for(burnish_isa isa);

@@ -3,4 +3,5 @@
 #include "rays/rays_simd.h"
 
 extern const burnish_ray_ops BURNISH_ISA_TABLE(burnish_ray_ops, VECTOR_WORD);
-const burnish_ray_ops BURNISH_ISA_TABLE(burnish_ray_ops, VECTOR_WORD) = {.find_hits = find_hits};
+const burnish_ray_ops BURNISH_ISA_TABLE(burnish_ray_ops, VECTOR_WORD) = {
+    .find_hits = find_hits, .find_nearest = find_nearest};

@@ -1,5 +1,6 @@
 /* Rays through the tree, one per lane. A lane meets the boxes and triangles that its own ray hits,
- * whatever its neighbours do, and a hit is a hit in any order: so results do not depend on LANES. */
+ * whatever its neighbours do, and a hit is a hit in any order: so results do not depend on LANES. Where
+ * the nearest is wanted, 16 rays have one order whatever LANES. */
 #ifndef BURNISH_RAYS_RAYS_SIMD_H
 #define BURNISH_RAYS_RAYS_SIMD_H
 
@@ -34,7 +35,8 @@ BURNISH_INLINE ray_lanes load_rays(const burnish_ray_batch *rays, size_t i) {
     return ray;
 }
 
-BURNISH_INLINE vm hits_box(const ray_lanes *ray, const float low[3], const float high[3]) {
+BURNISH_INLINE vm hits_box(const ray_lanes *ray, const float low[3], const float high[3],
+                           vf *entry) {
     vf enter = vf_set(0.0f), leave = ray->reach;
     for (int k = 0; k < 3; ++k) {
         const vf a = vf_mul(vf_sub(vf_set(low[k]), ray->origin[k]), ray->inverse[k]);
@@ -50,6 +52,7 @@ BURNISH_INLINE vm hits_box(const ray_lanes *ray, const float low[3], const float
             leave = vf_min(vf_max(a, b), leave);
         }
     }
+    *entry = enter;
     return vm_not(vf_greater(enter, vf_mul(leave, vf_set(BOX_SLACK))));
 }
 
@@ -61,8 +64,9 @@ BURNISH_INLINE vf edge_side(const vf from[3], const vf to[3]) {
 
 /* A triangle is hit where no two of its edges pass on different sides: 0 is on both. So no ray passes
  * between triangles, whose common corners are where they are for both (Woop et al., Watertight
- * Ray/Triangle Intersection, 2013). One that is seen from its edge, or has no area, is not hit. */
-BURNISH_INLINE vm hits_triangle(const ray_lanes *ray, const float corners[9]) {
+ * Ray/Triangle Intersection, 2013). One that is seen from its edge, or has no area, is not hit.
+ *   at  how far away it is hit; NULL: not wanted */
+BURNISH_INLINE vm hits_triangle(const ray_lanes *ray, const float corners[9], vf *at) {
     const vf zero = vf_set(0.0f);
     vf p[3][3]; /* corners in the axes of the ray */
     for (int c = 0; c < 3; ++c) {
@@ -85,48 +89,71 @@ BURNISH_INLINE vm hits_triangle(const ray_lanes *ray, const float corners[9]) {
     const vm is_turned = vf_greater(zero, area);
     const vf size = vf_blend(is_turned, vf_sub(zero, area), area);
     const vf distance = vf_blend(is_turned, vf_sub(zero, depth), depth);
+    if (at) {
+        *at = vf_div(distance, vf_max(size, vf_set(0x1p-126f)));
+    }
     return vm_and(vm_and(inside, vf_greater(distance, zero)),
                   vf_greater(vf_mul(ray->reach, size), distance));
 }
 
-/* A part of the tree, and the lanes that have hit its box. */
+/* A part of the tree, and the lanes that have hit its box, and where. */
 typedef struct waiting_part {
     uint32_t child, count;
     vm lanes;
+    vf entry;
 } waiting_part;
 
-/* Which lanes hit something. */
-static vm find_lanes(const burnish_ray_tree *tree, const ray_lanes *ray, vm lanes) {
+/* Whether the second box of a node is met before the first along `way`. */
+BURNISH_INLINE int is_turned(const burnish_ray_node *node, const float way[3]) {
+    float side = 0;
+    for (int k = 0; k < 3; ++k) {
+        side += way[k] * ((node->low[1][k] + node->high[1][k]) -
+                          (node->low[0][k] + node->high[0][k]));
+    }
+    return side < 0;
+}
+
+/* Which lanes hit something.
+ *   way      the order in which parts are met
+ *   nearest  NULL: anything; otherwise the reach becomes the distance of what is nearest */
+BURNISH_INLINE vm find_lanes(const burnish_ray_tree *tree, ray_lanes *ray, vm lanes,
+                             const float way[3], vi *nearest) {
     waiting_part stack[BURNISH_RAY_DEPTH + 2];
     const vm all = lanes;
     vm alive = lanes; /* that have hit nothing yet */
     int depth = 1;
-    stack[0] = (waiting_part){0, 0, lanes};
+    stack[0] = (waiting_part){0, 0, lanes, vf_set(0.0f)};
     while (depth > 0) {
         const waiting_part part = stack[--depth];
-        const vm present = vm_and(part.lanes, alive);
+        const vf leave = vf_mul(ray->reach, vf_set(BOX_SLACK));
+        const vm present = nearest ? vm_and_not(part.lanes, vf_greater(part.entry, leave))
+                                   : vm_and(part.lanes, alive);
         if (!vm_any(present)) {
             continue;
         }
         if (part.count > 0) {
             for (uint32_t i = 0; i < part.count; ++i) {
-                const vm hit = vm_and(present, hits_triangle(ray, tree->triangles[part.child + i]));
+                const float *corners = tree->triangles[part.child + i];
+                vf at = ray->reach;
+                const vm hit = vm_and(present, hits_triangle(ray, corners, nearest ? &at : NULL));
                 alive = vm_and_not(alive, hit);
+                if (nearest) {
+                    ray->reach = vf_blend(hit, at, ray->reach);
+                    *nearest = vi_blend(hit, vi_set((int32_t)(part.child + i)), *nearest);
+                }
             }
-            if (!vm_any(alive)) {
+            if (!nearest && !vm_any(alive)) {
                 break;
             }
             continue;
         }
         const burnish_ray_node *node = &tree->nodes[part.child];
-        const vm first = vm_and(present, hits_box(ray, node->low[0], node->high[0]));
-        const vm second = vm_and(present, hits_box(ray, node->low[1], node->high[1]));
-        const int has_first = vm_any(first), has_second = vm_any(second);
-        if (has_second) {
-            stack[depth++] = (waiting_part){node->child[1], node->count[1], second};
-        }
-        if (has_first) {
-            stack[depth++] = (waiting_part){node->child[0], node->count[0], first};
+        for (int i = 0, last = nearest && is_turned(node, way) ? 0 : 1; i < 2; ++i, last = !last) {
+            vf entry;
+            const vm met = vm_and(present, hits_box(ray, node->low[last], node->high[last], &entry));
+            if (vm_any(met)) {
+                stack[depth++] = (waiting_part){node->child[last], node->count[last], met, entry};
+            }
         }
     }
     return vm_and_not(all, alive);
@@ -136,8 +163,26 @@ static void find_hits(const burnish_ray_tree *tree, const burnish_ray_batch *ray
     for (size_t i = 0; i < rays->count; i += LANES) {
         vm hit = vf_greater(vf_set(0.0f), vf_set(1.0f));
         if (tree->triangle_count > 0) {
-            const ray_lanes ray = load_rays(rays, i);
-            hit = find_lanes(tree, &ray, vf_greater(ray.reach, vf_set(0.0f)));
+            ray_lanes ray = load_rays(rays, i);
+            hit = find_lanes(tree, &ray, vf_greater(ray.reach, vf_set(0.0f)), NULL, NULL);
+        }
+        vf_store(hits + i, vf_and_mask(hit, vf_set(1.0f)));
+    }
+}
+
+static void find_nearest(const burnish_ray_tree *tree, const burnish_ray_batch *rays, float *hits,
+                         float *distances, int32_t *places) {
+    for (size_t i = 0; i < rays->count; i += LANES) {
+        vm hit = vf_greater(vf_set(0.0f), vf_set(1.0f));
+        if (tree->triangle_count > 0) {
+            const size_t leader = i / 16 * 16;
+            const float way[3] = {rays->direction[0][leader], rays->direction[1][leader],
+                                  rays->direction[2][leader]};
+            ray_lanes ray = load_rays(rays, i);
+            vi nearest = vi_set(0);
+            hit = find_lanes(tree, &ray, vf_greater(ray.reach, vf_set(0.0f)), way, &nearest);
+            vf_store(distances + i, ray.reach);
+            vi_store(places + i, nearest);
         }
         vf_store(hits + i, vf_and_mask(hit, vf_set(1.0f)));
     }

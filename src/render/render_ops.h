@@ -11,7 +11,7 @@
 #include "simd/isa.h"
 
 /* Normal, colour, position, w, first light, openness, x, y, facing, and BURNISH_TEXTURE_STREAMS. */
-enum { BURNISH_BATCH_STREAMS = 16 + 18 };
+enum { BURNISH_BATCH_STREAMS = 19 + 18 };
 
 /* Without a lobe, and the family's two: the first of burnish_lobe_body. */
 enum { BURNISH_CODE_BODIES = 4 };
@@ -29,6 +29,7 @@ struct burnish_primitive;
 struct burnish_ray_light;
 struct burnish_ray_points;
 struct burnish_shadow_lookup;
+struct burnish_started_rays;
 struct burnish_silhouette;
 struct burnish_splat_band;
 struct burnish_splat_item;
@@ -109,11 +110,11 @@ typedef struct burnish_render_ops {
                     const float *const normal[3], size_t count, float *const open[2]);
 
     /* Casts rays `first` to first + count - 1 of the light's directions from points, and writes how
-     * many are hidden, the light that there is, and what is hidden of it. Reads and writes whole
-     * vectors. */
+     * many are hidden, the light that there is, and what is hidden of it. `met`, unless it is NULL, gets
+     * what the last of each met. Reads and writes whole vectors. */
     void (*sample_sky)(const struct burnish_ray_light *light,
                        const struct burnish_ray_points *points, int first, int count,
-                       float *const sums[3]);
+                       struct burnish_started_rays *met, float *const sums[3]);
 
     /* The same to places of a lamp; the first sum is how many are in its light. */
     void (*sample_lamp)(const struct burnish_ray_light *light, int lamp,
@@ -122,11 +123,12 @@ typedef struct burnish_render_ops {
 
     /* Multiplies the light of count points by what they see of it, open[0], and adds what surfaces
      * around them, which hide the sky of open[1], send there.
-     *   albedo  per channel; factor: of each point, NULL: 1
+     *   albedo   per channel; factor: of each point, NULL: 1
+     *   bounced  what they send as rays found it; NULL: what open[1] says
      * Reads and writes whole vectors. */
     void (*add_bounces)(const struct burnish_occlusion_lookup *lookup, const float albedo[3],
-                        const float *const factor[3], const float *const open[2], size_t count,
-                        float *const rgb[3]);
+                        const float *const factor[3], const float *const open[2],
+                        const float *const *bounced, size_t count, float *const rgb[3]);
 
     /* Bits of the 16 pixels of a block that are shown, >= 0 (NULL: all); *alike: bits of those whose
      * squared distance from the first shown is below limits[0], and the cosine above limits[1]. */

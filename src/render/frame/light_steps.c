@@ -190,6 +190,24 @@ static void find_sky(const burnish_call *d, burnish_ray_light *light) {
 /* Half the width of a directional light, as of the sun. */
 #define SUN_RADIUS 0.0047
 
+/* What rays need of the mesh, and where it is. */
+static void set_space(const burnish_call *d, burnish_ray_light *light) {
+    const double distance = burnish_vec3_length(burnish_vec3_load(d->view.eye));
+    for (int k = 0; k < 3; ++k) {
+        light->eye[k] = (float)d->view.eye[k];
+    }
+    light->tree = &d->renderer->rays;
+    light->ops = burnish_ray_ops_for(d->report.isa);
+    light->mesh = d->mesh.view;
+    light->solid = d->solid;
+    light->shaders = d->view.shading.shaders;
+    light->has_colors = d->solid->colors && !d->mesh.ignore_colors;
+    light->scale = (float)burnish_space_scale(d->solid);
+    burnish_space_store(burnish_space_center(d->solid), light->center);
+    light->offset = (float)(RAY_OFFSET * (distance > 1 ? distance : 1));
+    light->near = (float)(RAY_NEAR * d->view.pixel) + 2 * light->offset;
+}
+
 /* The lights whose shadows rays find. */
 static void find_lamps(const burnish_call *d, burnish_ray_light *light) {
     const burnish_area *area = d->view.shading.area;
@@ -204,12 +222,15 @@ static void find_lamps(const burnish_call *d, burnish_ray_light *light) {
     }
     if (has_first_shadow(d)) {
         burnish_area_light sun = {
-            .shape = BURNISH_AREA_DISC, .is_distant = 1, .is_two_sided = 1, .color = {1, 1, 1}};
+            .shape = BURNISH_AREA_DISC, .is_distant = 1, .is_two_sided = 1};
         const burnish_vec3 across = burnish_space_across(d->view.key);
         burnish_vec3_store(d->view.key, sun.center);
         burnish_vec3_store(burnish_vec3_scale(across, SUN_RADIUS), sun.half_u);
         burnish_vec3_store(burnish_vec3_scale(burnish_vec3_cross(d->view.key, across), SUN_RADIUS),
                            sun.half_v);
+        for (int k = 0; k < 3; ++k) {
+            sun.color[k] = (float)((double)d->options->lights[0].color[k] / (SUN_RADIUS * SUN_RADIUS));
+        }
         light->key = light->lamp_count;
         burnish_ray_light_add(light, &sun);
     }
@@ -223,19 +244,17 @@ static burnish_status update_rays(burnish_call *d) {
         !(d->options->occlusion || d->options->ground || d->report.shadow)) {
         return BURNISH_STATUS_OK;
     }
-    const double distance = burnish_vec3_length(burnish_vec3_load(d->view.eye));
-    for (int k = 0; k < 3; ++k) {
-        light->eye[k] = (float)d->view.eye[k];
-    }
-    light->tree = &d->renderer->rays;
-    light->ops = burnish_ray_ops_for(d->report.isa);
-    light->mesh = d->mesh.view;
-    light->offset = (float)(RAY_OFFSET * (distance > 1 ? distance : 1));
-    light->near = (float)(RAY_NEAR * d->view.pixel) + 2 * light->offset;
+    set_space(d, light);
     light->strength = d->options->occlusion_strength;
     light->has_sky = d->options->occlusion != 0;
     burnish_ray_light_prepare(light);
     if (light->has_sky) {
+        float mean[3];
+        find_mean_light(d, mean);
+        light->mean = luminance_of(mean);
+        for (int k = 0; k < 3; ++k) {
+            light->tint[k] = light->mean > 0 ? mean[k] / light->mean : 1;
+        }
         find_sky(d, light);
         d->report.occlusion_directions = BURNISH_RAY_DIRECTIONS;
     }

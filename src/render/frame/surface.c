@@ -184,6 +184,9 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
         add_stream(&streams, scratch->share.open[0], group->open[0]);
         add_stream(&streams, scratch->share.open[1], group->open[1]);
     }
+    for (int k = 0; shading->ray_light && k < 3; ++k) {
+        add_stream(&streams, scratch->share.bounced[k], group->bounced[k]);
+    }
     for (int k = 0; shading->texturing && k < BURNISH_TEXTURE_STREAMS; ++k) {
         if (k < BURNISH_TEXTURE_SHIFT_X ||
             (k < BURNISH_TEXTURE_SECOND ? scratch->texture.has_shifts
@@ -201,8 +204,9 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
             burnish_shade_layers(shading, &part, &brought, scratch->texture.brought, material,
                                  scratch, light);
             if (shading->occlusion) {
-                burnish_add_bounces(shading, &brought, size, material, group->open,
-                                    &scratch->texture, light);
+                const burnish_bounce_points bounces = burnish_bounces_of(group->open, group->bounced);
+                burnish_add_bounces(shading, &brought, size, material, &bounces, &scratch->texture,
+                                    light);
             }
             shading->ops->scatter_material(material, batch->material, size, group->starts, shaded,
                                            rgb);
@@ -255,7 +259,8 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
         burnish_shade_layers(shading, batch, &points, scratch->texture.points, material, scratch,
                              rgb);
         if (shading->occlusion) {
-            burnish_add_bounces(shading, &points, batch->count, material, scratch->share.open,
+            const burnish_bounce_points bounces = burnish_bounces_of(scratch->share.open, scratch->share.bounced);
+            burnish_add_bounces(shading, &points, batch->count, material, &bounces,
                                 &scratch->texture, rgb);
         }
         burnish_keep_passed(shading, NULL, material, batch->count, scratch);
@@ -314,7 +319,7 @@ static const float PIXEL_Y[BURNISH_BLOCK_ROW_PIXELS] = {
 _Static_assert((int)BURNISH_BLOCK_ROW_PIXELS == 256 &&
                    (int)BURNISH_BLOCK_ROW_PIXELS <= (int)BURNISH_SHADE_BATCH,
                "a row of blocks is one batch");
-_Static_assert((int)BURNISH_BATCH_STREAMS == 16 + (int)BURNISH_TEXTURE_STREAMS, "all streams fit");
+_Static_assert((int)BURNISH_BATCH_STREAMS == 19 + (int)BURNISH_TEXTURE_STREAMS, "all streams fit");
 _Static_assert((int)BURNISH_FRAGMENT_BATCH <= (int)BURNISH_SHADE_BATCH,
                "so is a group of fragments");
 

@@ -358,7 +358,7 @@ static void cast_texels(const ground_rays *rays, size_t row, size_t first) {
         }
     }
     rays->ground->ops->sample_sky(&rays->light, &points, pattern * BURNISH_RAY_DIRECTIONS,
-                                  BURNISH_RAY_DIRECTIONS, to);
+                                  BURNISH_RAY_DIRECTIONS, NULL, to);
     for (size_t i = 0; i < points.count; ++i) {
         hidden[2 * i] = (1 - rays->lamp_share) * (sums[0][i] / BURNISH_RAY_DIRECTIONS);
     }

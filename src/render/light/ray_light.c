@@ -4,7 +4,9 @@
 
 #include "base/elementary.h"
 #include "core/vec3.h"
+#include "core/srgb.h"
 #include "environment/area_lights.h"
+#include "render/space.h"
 
 /* Normals of one surface differ by less than this cosine's angle, 26 degrees. */
 #define ALIKE 0.9f
@@ -21,6 +23,12 @@
 
 /* Patterns of rays where one is not enough. */
 enum { MORE_PATTERNS = 4 };
+
+/* Longer than the way from the camera through the mesh. */
+#define FAR 1e6f
+
+/* Of the mean light, what surfaces get that no rays are cast from. */
+#define LAST_LIGHT 0.25f
 
 /* ---- Directions ---- */
 
@@ -86,16 +94,6 @@ void burnish_ray_light_add(burnish_ray_light *light, const burnish_area_light *f
 
 /* ---- A tile ---- */
 
-void burnish_ray_tile_begin(burnish_ray_tile *tile, int width, int height) {
-    memset(tile->rank, 0, sizeof tile->rank);
-    tile->width = width;
-    tile->height = height;
-}
-
-static int row_major(int pixel) {
-    return burnish_pixel_y(pixel) * BURNISH_TILE_SIZE + burnish_pixel_x(pixel);
-}
-
 /* The normal of a triangle, on the side of another one; that one if it has no area. */
 static burnish_vec3 face_of(const burnish_mesh_view *mesh, uint32_t triangle, burnish_vec3 normal) {
     burnish_vec3 corner[3];
@@ -112,10 +110,9 @@ static burnish_vec3 face_of(const burnish_mesh_view *mesh, uint32_t triangle, bu
     return length > 0 ? burnish_vec3_scale(face, (side < 0 ? -1 : 1) / length) : normal;
 }
 
-void burnish_ray_tile_add(burnish_ray_tile *tile, const burnish_ray_light *light, int pixel,
+void burnish_ray_tile_add(burnish_ray_tile *tile, const burnish_ray_light *light, int at,
                           uint16_t rank, const float position[3], const float normal[3],
                           uint32_t triangle) {
-    const int at = row_major(pixel);
     if (rank <= tile->rank[at]) {
         return;
     }
@@ -133,31 +130,209 @@ void burnish_ray_tile_add(burnish_ray_tile *tile, const burnish_ray_light *light
     }
 }
 
-/* Points that are brought together to cast rays. */
-typedef struct gathered_points {
-    float values[9][BURNISH_OCCLUDED_MAX + 16];
-    float sums[3][BURNISH_OCCLUDED_MAX + 16];
-    uint16_t from[BURNISH_OCCLUDED_MAX];
-    size_t count;
-} gathered_points;
+/* The normal of a triangle of the tree, against a ray that meets it. */
+static burnish_vec3 met_face(const burnish_ray_light *light, int32_t place,
+                             burnish_vec3 direction) {
+    const float *c = light->tree->triangles[place];
+    const burnish_vec3 first = burnish_vec3_loadf(c);
+    const burnish_vec3 face =
+        burnish_vec3_normalize(burnish_vec3_cross(burnish_vec3_sub(burnish_vec3_loadf(c + 3), first),
+                                                  burnish_vec3_sub(burnish_vec3_loadf(c + 6), first)));
+    return burnish_vec3_dot(face, direction) > 0 ? burnish_vec3_scale(face, -1) : face;
+}
 
-/* Rays to lamp `lamp`, or with -1 to the sky. */
-static void cast_rays(gathered_points *points, const burnish_ray_light *light,
-                      const burnish_render_ops *ops, int lamp, int pattern, int patterns) {
-    const burnish_ray_points cast = {{points->values[0], points->values[1], points->values[2]},
-                                     {points->values[3], points->values[4], points->values[5]},
-                                     {points->values[6], points->values[7], points->values[8]},
-                                     points->count};
-    float *const sums[3] = {points->sums[0], points->sums[1], points->sums[2]};
-    const int first = pattern * BURNISH_RAY_SAMPLES, count = patterns * BURNISH_RAY_SAMPLES;
+/* The normal of the mesh where a ray meets one of its triangles, on the side of the face that it meets.
+ */
+static burnish_vec3 met_normal(const burnish_ray_light *light, size_t triangle, burnish_vec3 point,
+                               burnish_vec3 face) {
+    const burnish_mesh_view *mesh = light->solid;
+    const burnish_vec3 center = burnish_vec3_loadf(light->center);
+    burnish_vec3 corner[3], normal = {0, 0, 0};
+    for (size_t k = 0; k < 3; ++k) {
+        const float *at = mesh->positions + 3 * (size_t)mesh->indices[3 * triangle + k];
+        corner[k] = burnish_vec3_sub(
+            burnish_vec3_scale(burnish_vec3_sub(burnish_vec3_loadf(at), center), light->scale),
+            point);
+    }
+    for (size_t k = 0; k < 3; ++k) { /* by the areas of what lies across from the corners */
+        const size_t vertex = mesh->indices[3 * triangle + k];
+        const double part = burnish_vec3_dot(
+            burnish_vec3_cross(corner[(k + 1) % 3], corner[(k + 2) % 3]), face);
+        normal = burnish_vec3_add(
+            normal, burnish_vec3_scale(burnish_vec3_loadf(mesh->normals + 3 * vertex), part));
+    }
+    /* parts are below 0 where the face is seen from behind, as the normals are to be turned */
+    return burnish_vec3_normalize(normal);
+}
+
+void burnish_ray_tile_find(burnish_ray_tile *tile, const burnish_ray_light *light,
+                           float *const ends[2][3], const uint16_t *at, size_t count) {
+    burnish_started_rays *rays = &tile->rays;
+    const burnish_ray_batch batch = {{rays->origin[0], rays->origin[1], rays->origin[2]},
+                                     {rays->direction[0], rays->direction[1], rays->direction[2]},
+                                     rays->reach,
+                                     count};
+    for (size_t i = 0; i < BURNISH_OCCLUDED_MAX; ++i) {
+        burnish_vec3 from = {0, 0, 0}, to = from;
+        if (i < count) {
+            from = (burnish_vec3){ends[0][0][i], ends[0][1][i], ends[0][2][i]};
+            to = (burnish_vec3){ends[1][0][i], ends[1][1][i], ends[1][2][i]};
+        }
+        burnish_vec3 along = burnish_vec3_normalize(burnish_vec3_sub(to, from));
+        float start[3], direction[3];
+        burnish_space_store(burnish_vec3_add(from, burnish_vec3_loadf(light->eye)), start);
+        burnish_space_store(along, direction);
+        for (int k = 0; k < 3; ++k) {
+            rays->origin[k][i] = start[k];
+            rays->direction[k][i] = direction[k];
+        }
+        rays->reach[i] = i < count ? FAR : 0;
+    }
+    light->ops->find_nearest(light->tree, &batch, rays->hits, rays->distance, rays->place);
+    for (size_t i = 0; i < count; ++i) {
+        if (rays->hits[i] > 0 && light->tree->numbers[rays->place[i]] < light->solid->triangle_count) {
+            const uint32_t triangle = light->tree->numbers[rays->place[i]];
+            burnish_vec3 along = {rays->direction[0][i], rays->direction[1][i], rays->direction[2][i]};
+            burnish_vec3 point = {rays->origin[0][i], rays->origin[1][i], rays->origin[2][i]};
+            point = burnish_vec3_add(point, burnish_vec3_scale(along, rays->distance[i]));
+            const burnish_vec3 face = met_face(light, rays->place[i], along);
+            float p[3], n[3];
+            burnish_space_store(burnish_vec3_sub(point, burnish_vec3_loadf(light->eye)), p);
+            burnish_space_store(met_normal(light, triangle, point, face), n);
+            burnish_ray_tile_add(tile, light, at[i], UINT16_MAX, p, n, 2 * triangle);
+        }
+    }
+}
+
+static burnish_ray_points ray_points(burnish_gathered_points *points) {
     for (int k = 0; k < 9; ++k) {
         memset(points->values[k] + points->count, 0, 16 * sizeof *points->values[k]);
     }
-    if (lamp < 0) {
-        ops->sample_sky(light, &cast, first, count, sums);
-    } else {
-        ops->sample_lamp(light, lamp, &cast, first, count, sums);
+    return (burnish_ray_points){{points->values[0], points->values[1], points->values[2]},
+                                {points->values[3], points->values[4], points->values[5]},
+                                {points->values[6], points->values[7], points->values[8]},
+                                points->count};
+}
+
+/* Rays to a lamp. */
+static void cast_rays(burnish_gathered_points *points, const burnish_ray_light *light,
+                      const burnish_render_ops *ops, int lamp, int first, int count) {
+    const burnish_ray_points cast = ray_points(points);
+    float *const sums[3] = {points->sums[0], points->sums[1], points->sums[2]};
+    ops->sample_lamp(light, lamp, &cast, first, count, sums);
+}
+
+/* ---- Light that comes over other surfaces ---- */
+
+/* What the surface of a triangle of the tree reflects. Pieces of masked ones are gray. */
+static void albedo_of(const burnish_ray_light *light, int32_t place, float albedo[3]) {
+    const burnish_mesh_view *mesh = light->solid;
+    const size_t triangle = light->tree->numbers[place];
+    const int is_known = triangle < mesh->triangle_count;
+    const size_t material = is_known && mesh->triangle_materials ? mesh->triangle_materials[triangle] : 0;
+    for (int k = 0; k < 3; ++k) {
+        albedo[k] = is_known ? light->shaders[material].albedo[k] : 0.5f;
+        if (is_known && light->has_colors) {
+            float sum = 0;
+            for (size_t corner = 0; corner < 3; ++corner) {
+                sum += burnish_srgb_to_linear[mesh->colors[4 * (size_t)mesh->indices[3 * triangle + corner] + (size_t)k]];
+            }
+            albedo[k] *= sum / 3;
+        }
     }
+}
+
+/* Brings the points together that rays have met. */
+static void gather_met(const burnish_started_rays *rays, const burnish_ray_light *light,
+                       size_t count, burnish_gathered_points *met) {
+    met->count = 0;
+    for (size_t i = 0; i < count; ++i) {
+        float face[3], albedo[3];
+        if (!(rays->hits[i] > 0)) {
+            continue;
+        }
+        const size_t to = met->count++;
+        const burnish_vec3 along = {rays->direction[0][i], rays->direction[1][i],
+                                    rays->direction[2][i]};
+        burnish_space_store(met_face(light, rays->place[i], along), face);
+        albedo_of(light, rays->place[i], albedo);
+        for (int k = 0; k < 3; ++k) {
+            met->values[k][to] = rays->origin[k][i] + rays->direction[k][i] * rays->distance[i] -
+                                 light->eye[k];
+            met->values[3 + k][to] = met->values[6 + k][to] = face[k];
+            met->albedo[k][to] = albedo[k];
+        }
+        met->from[to] = (uint16_t)i;
+    }
+}
+
+/* The sample of a bounce that goes with a sample: another order of the same, whose halves are in
+ * quarters of what was chosen last. */
+static int bounced_sample(int sample, int turn) {
+    int turned = 0;
+    for (int bit = 0; bit < 6; ++bit) {
+        turned |= (sample >> bit & 1) << (turn + 5 - bit) % 6;
+    }
+    return turned;
+}
+
+/* Adds to `light` of points what one ray to the sky of each brings over other surfaces; the kernel's
+ * sums are of it. */
+static void cast_sky(burnish_ray_tile *tile, burnish_gathered_points *points,
+                     const burnish_ray_light *light, const burnish_render_ops *ops, int sample,
+                     int bounce) {
+    const burnish_ray_points cast = ray_points(points);
+    float *const sums[3] = {points->sums[0], points->sums[1], points->sums[2]};
+    burnish_gathered_points *met = &tile->met[bounce];
+    ops->sample_sky(light, &cast, sample, 1, &tile->rays, sums);
+    if (bounce == BURNISH_RAY_BOUNCES) {
+        for (size_t i = 0; i < points->count; ++i) {
+            for (int k = 0; k < 3 && tile->rays.hits[i] > 0; ++k) {
+                points->light[k][i] += LAST_LIGHT * light->mean;
+            }
+        }
+        return;
+    }
+    gather_met(&tile->rays, light, points->count, met);
+    if (met->count == 0) {
+        return;
+    }
+    const int next = bounced_sample(sample, bounce);
+    memset(met->light, 0, sizeof met->light);
+    for (int lamp = -1; lamp < light->lamp_count; ++lamp) {
+        if (lamp < 0) {
+            cast_sky(tile, met, light, ops, next, bounce + 1);
+        } else {
+            cast_rays(met, light, ops, lamp, bounced_sample(sample, bounce + 3), 1);
+        }
+        for (size_t i = 0; i < met->count; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                met->light[k][i] += met->sums[1][i] - met->sums[2][i];
+            }
+        }
+    }
+    for (size_t i = 0; i < met->count; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            points->light[k][met->from[i]] += met->albedo[k][i] * met->light[k][i];
+        }
+    }
+}
+
+/* The rays of points to the sky: the first two of its sums, and light. */
+static void cast_skies(burnish_ray_tile *tile, burnish_gathered_points *points,
+                       const burnish_ray_light *light, const burnish_render_ops *ops, int first,
+                       int count) {
+    float sums[2][BURNISH_OCCLUDED_MAX] = {{0}};
+    memset(points->light, 0, sizeof points->light);
+    for (int sample = first; sample < first + count; ++sample) {
+        cast_sky(tile, points, light, ops, sample, 0);
+        for (size_t i = 0; i < points->count; ++i) {
+            sums[0][i] += points->sums[1][i];
+            sums[1][i] += points->sums[2][i];
+        }
+    }
+    memcpy(points->sums[1], sums[0], sizeof sums[0]);
+    memcpy(points->sums[2], sums[1], sizeof sums[1]);
 }
 
 /* Where the sums of a lamp are; -1: of the sky. */
@@ -169,7 +344,7 @@ static int is_wanted(const burnish_ray_light *light, int lamp) {
     return light->has_sky || (lamp >= 0 && lamp == light->key);
 }
 
-static void store_sums(burnish_ray_tile *tile, const gathered_points *points, size_t i, int lamp,
+static void store_sums(burnish_ray_tile *tile, const burnish_gathered_points *points, size_t i, int lamp,
                        float scale) {
     tile->sums[sums_of(lamp)][points->from[i]] = scale * points->sums[1][i];
     tile->sums[sums_of(lamp) + 1][points->from[i]] = scale * points->sums[2][i];
@@ -184,12 +359,12 @@ static float share_at(const burnish_ray_tile *tile, int at, int sums) {
  * on the same surface. */
 static int is_mixed(const burnish_ray_tile *tile, int at, int sums) {
     const float share = share_at(tile, at, sums);
-    const int x = at % BURNISH_TILE_SIZE, y = at / BURNISH_TILE_SIZE;
+    const int x = at % BURNISH_RAY_EDGE, y = at / BURNISH_RAY_EDGE;
     int is_mixed = share > 0 && (share < 1 || tile->cut[at] >> (sums - BURNISH_RAY_LAMPS) / 2 & 1);
     for (int i = 0; i < 4 && !is_mixed; ++i) {
         const int column = x + i % 2 * (i - 2), row = y + (1 - i % 2) * (i - 1);
-        const int beside = row * BURNISH_TILE_SIZE + column;
-        if (column < 0 || row < 0 || column >= tile->width || row >= tile->height ||
+        const int beside = row * BURNISH_RAY_EDGE + column;
+        if (column < 0 || row < 0 || column >= BURNISH_RAY_EDGE || row >= BURNISH_RAY_EDGE ||
             tile->rank[beside] == 0) {
             continue;
         }
@@ -206,8 +381,8 @@ static int is_mixed(const burnish_ray_tile *tile, int at, int sums) {
 /* Casts the rays of a pattern's pixels to a lamp. */
 static void cast_to_lamp(burnish_ray_tile *tile, const burnish_ray_light *light,
                          const burnish_render_ops *ops, int lamp, int pattern,
-                         gathered_points *points) {
-    cast_rays(points, light, ops, lamp, pattern, 1);
+                         burnish_gathered_points *points) {
+    cast_rays(points, light, ops, lamp, pattern * BURNISH_RAY_SAMPLES, BURNISH_RAY_SAMPLES);
     for (size_t i = 0; i < points->count; ++i) {
         store_sums(tile, points, i, lamp, 1);
         tile->cut[points->from[i]] |=
@@ -218,8 +393,8 @@ static void cast_to_lamp(burnish_ray_tile *tile, const burnish_ray_light *light,
 /* Casts more where a pattern's rays do not agree. */
 static void refine_lamp(burnish_ray_tile *tile, const burnish_ray_light *light,
                         const burnish_render_ops *ops, int lamp, int pattern,
-                        const gathered_points *points) {
-    gathered_points mixed;
+                        const burnish_gathered_points *points) {
+    burnish_gathered_points mixed;
     mixed.count = 0;
     for (size_t i = 0; i < points->count; ++i) {
         if (tile->mixed[points->from[i]] >> lamp & 1) {
@@ -230,7 +405,9 @@ static void refine_lamp(burnish_ray_tile *tile, const burnish_ray_light *light,
         }
     }
     if (mixed.count > 0) {
-        cast_rays(&mixed, light, ops, lamp, pattern / MORE_PATTERNS * MORE_PATTERNS, MORE_PATTERNS);
+        cast_rays(&mixed, light, ops, lamp,
+                  pattern / MORE_PATTERNS * MORE_PATTERNS * BURNISH_RAY_SAMPLES,
+                  MORE_PATTERNS * BURNISH_RAY_SAMPLES);
     }
     for (size_t i = 0; i < mixed.count; ++i) {
         store_sums(tile, &mixed, i, lamp, 1.0f / MORE_PATTERNS);
@@ -252,15 +429,21 @@ static int lamp_pattern(int pixel) {
     return x / 2 + y / 2 * 2 + x % 2 * 4 + y % 2 * 8;
 }
 
-/* Brings pixel `pixel` of all blocks together, in squares: their rays stay together. */
-static void gather_pixels(const burnish_ray_tile *tile, int pixel, gathered_points *points) {
-    enum { BLOCKS = BURNISH_TILE_BLOCKS * BURNISH_TILE_BLOCKS };
+enum { BATCHES = 2 /* of a pixel of all blocks, with those in the margin */ };
+
+/* Brings pixel `pixel` of all blocks together, in squares: their rays stay together. The last of 17 in a
+ * row or column are a batch of their own. */
+static void gather_pixels(const burnish_ray_tile *tile, int pixel, int batch,
+                          burnish_gathered_points *points) {
+    enum { BLOCKS = BURNISH_TILE_BLOCKS * BURNISH_TILE_BLOCKS, SIDE = BURNISH_TILE_BLOCKS };
     _Static_assert((int)BLOCKS <= (int)BURNISH_OCCLUDED_MAX, "a pixel of all blocks is a batch");
     points->count = 0;
-    for (int block = 0; block < BLOCKS; ++block) {
-        const int x = even_bits(block) * 4 + pixel % 4;
-        const int y = even_bits(block >> 1) * 4 + pixel / 4;
-        const int at = y * BURNISH_TILE_SIZE + x;
+    for (int block = 0; block < (batch ? 2 * SIDE + 1 : BLOCKS); ++block) {
+        const int column = !batch ? even_bits(block) : block < SIDE ? SIDE : block - SIDE;
+        const int row = !batch ? even_bits(block >> 1) : block < SIDE ? block : SIDE;
+        const int x = pixel % 4, y = pixel / 4;
+        const int at = burnish_ray_place(column * 4 + x - (x < 2 ? 0 : 4),
+                                         row * 4 + y - (y < 2 ? 0 : 4));
         if (tile->rank[at] > 0) {
             for (int k = 0; k < 3; ++k) {
                 points->values[k][points->count] = tile->position[k][at];
@@ -272,39 +455,46 @@ static void gather_pixels(const burnish_ray_tile *tile, int pixel, gathered_poin
     }
 }
 
+/* Casts the first rays of pixel `pixel` of all blocks. */
+static void cast_pixels(burnish_ray_tile *tile, const burnish_ray_light *light,
+                        const burnish_render_ops *ops, int pixel, int batch) {
+    burnish_gathered_points *points = &tile->points;
+    gather_pixels(tile, pixel, batch, points);
+    if (light->has_sky) {
+        cast_skies(tile, points, light, ops, pixel * BURNISH_RAY_SAMPLES, BURNISH_RAY_SAMPLES);
+    }
+    for (size_t i = 0; i < points->count && light->has_sky; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            tile->sums[BURNISH_RAY_BOUNCED + k][points->from[i]] = points->light[k][i];
+        }
+        store_sums(tile, points, i, -1, 1);
+    }
+    for (int lamp = 0; lamp < light->lamp_count; ++lamp) {
+        if (is_wanted(light, lamp)) {
+            cast_to_lamp(tile, light, ops, lamp, lamp_pattern(pixel), points);
+        }
+    }
+}
+
 void burnish_ray_tile_cast(burnish_ray_tile *tile, const burnish_ray_light *light,
                            const burnish_render_ops *ops) {
-    gathered_points points;
     if (!light->has_sky) {
         memset(tile->sums, 0, sizeof tile->sums);
     }
     memset(tile->cut, 0, sizeof tile->cut);
     memset(tile->mixed, 0, sizeof tile->mixed);
-    for (int pixel = 0; pixel < BURNISH_BLOCK_PIXELS; ++pixel) {
-        gather_pixels(tile, pixel, &points);
-        if (is_wanted(light, -1)) {
-            cast_rays(&points, light, ops, -1, pixel, 1);
-        }
-        for (size_t i = 0; i < points.count && is_wanted(light, -1); ++i) {
-            tile->sums[BURNISH_RAY_COVERED][points.from[i]] = points.sums[0][i];
-            store_sums(tile, &points, i, -1, 1);
-        }
-        for (int lamp = 0; lamp < light->lamp_count; ++lamp) {
-            if (!is_wanted(light, lamp)) {
-                continue;
-            }
-            cast_to_lamp(tile, light, ops, lamp, lamp_pattern(pixel), &points);
-        }
+    for (int i = 0; i < BURNISH_BLOCK_PIXELS * BATCHES; ++i) {
+        cast_pixels(tile, light, ops, i / BATCHES, i % BATCHES);
     }
-    for (int at = 0; at < BURNISH_TILE_PIXELS; ++at) {
+    for (int at = 0; at < BURNISH_RAY_PIXELS; ++at) {
         for (int lamp = 0; lamp < light->lamp_count && tile->rank[at] > 0; ++lamp) {
             tile->mixed[at] |= (uint16_t)(is_mixed(tile, at, sums_of(lamp)) << lamp);
         }
     }
-    for (int pixel = 0; pixel < BURNISH_BLOCK_PIXELS && light->lamp_count > 0; ++pixel) {
-        gather_pixels(tile, pixel, &points);
+    for (int i = 0; i < BURNISH_BLOCK_PIXELS * BATCHES && light->lamp_count > 0; ++i) {
+        gather_pixels(tile, i / BATCHES, i % BATCHES, &tile->points);
         for (int lamp = 0; lamp < light->lamp_count; ++lamp) {
-            refine_lamp(tile, light, ops, lamp, lamp_pattern(pixel), &points);
+            refine_lamp(tile, light, ops, lamp, lamp_pattern(i / BATCHES), &tile->points);
         }
     }
 }
@@ -328,8 +518,8 @@ static float gather_sums(const burnish_ray_tile *tile, const burnish_ray_light *
     float all = 0;
     int own = -1;
     for (int i = 0; i < 25; ++i) {
-        const int x = column + i % 5 - 2, y = row + i / 5 - 2, at = y * BURNISH_TILE_SIZE + x;
-        if (x < 0 || y < 0 || x >= tile->width || y >= tile->height || tile->rank[at] == 0) {
+        const int at = burnish_ray_place(column + i % 5 - 2, row + i / 5 - 2);
+        if (tile->rank[at] == 0) {
             continue;
         }
         float height = 0, cosine = 0;
@@ -345,7 +535,7 @@ static float gather_sums(const burnish_ray_tile *tile, const burnish_ray_light *
                 sums[s] += weight * tile->sums[s][at];
             }
             all += weight;
-            own = x == column && y == row ? at : own;
+            own = i == 12 ? at : own;
         }
     }
     for (int lamp = 0; lamp < light->lamp_count && own >= 0; ++lamp) {
@@ -358,17 +548,23 @@ static float gather_sums(const burnish_ray_tile *tile, const burnish_ray_light *
 }
 
 /* The sums of points that cast all rays by themselves. */
-static void cast_own(gathered_points *points, const burnish_ray_light *light,
-                     const burnish_render_ops *ops, float (*sums)[BURNISH_RAY_SUMS]) {
+static void cast_own(burnish_ray_tile *tile, burnish_gathered_points *points,
+                     const burnish_ray_light *light, const burnish_render_ops *ops,
+                     float (*sums)[BURNISH_RAY_SUMS]) {
+    enum { RAYS = MORE_PATTERNS * BURNISH_RAY_SAMPLES };
     memset(sums, 0, points->count * sizeof *sums);
     for (int lamp = -1; lamp < light->lamp_count; ++lamp) {
         if (!is_wanted(light, lamp)) {
             continue;
         }
-        cast_rays(points, light, ops, lamp, 0, MORE_PATTERNS);
+        if (lamp < 0) {
+            cast_skies(tile, points, light, ops, 0, RAYS);
+        } else {
+            cast_rays(points, light, ops, lamp, 0, RAYS);
+        }
         for (size_t i = 0; i < points->count; ++i) {
-            if (lamp < 0) {
-                sums[i][BURNISH_RAY_COVERED] = points->sums[0][i];
+            for (int k = 0; k < 3 && lamp < 0; ++k) {
+                sums[i][BURNISH_RAY_BOUNCED + k] = points->light[k][i];
             }
             sums[i][sums_of(lamp)] = points->sums[1][i];
             sums[i][sums_of(lamp) + 1] = points->sums[2][i];
@@ -379,7 +575,7 @@ static void cast_own(gathered_points *points, const burnish_ray_light *light,
 /* What a point sees, from sums of so many pixels' rays. */
 static void set_seen(const burnish_ray_light *light, const float sums[BURNISH_RAY_SUMS],
                      float weight, int i, burnish_share_scratch *scratch, float *lit) {
-    const float covered = sums[BURNISH_RAY_COVERED] / (weight * BURNISH_RAY_SAMPLES);
+    const float scale = light->strength / (weight * BURNISH_RAY_SAMPLES);
     float all = 0, hidden = 0;
     lit[i] = 1;
     for (int lamp = -1; lamp < light->lamp_count; ++lamp) {
@@ -392,20 +588,23 @@ static void set_seen(const burnish_ray_light *light, const float sums[BURNISH_RA
         }
     }
     scratch->open[0][i] = all > 0 ? 1 - light->strength * (hidden / all) : 1;
-    scratch->open[1][i] = 1 - light->strength * covered;
+    for (int k = 0; k < 3; ++k) {
+        scratch->bounced[k][i] = scale * light->tint[k] * sums[BURNISH_RAY_BOUNCED + k];
+    }
 }
 
-void burnish_ray_tile_look(const burnish_ray_tile *tile, const burnish_ray_light *light,
+void burnish_ray_tile_look(burnish_ray_tile *tile, const burnish_ray_light *light,
                            const burnish_render_ops *ops, const burnish_share_points *points,
                            int count, burnish_share_scratch *scratch, float *lit) {
-    gathered_points own;
+    burnish_gathered_points *own = &tile->points;
     float of_own[BURNISH_OCCLUDED_MAX][BURNISH_RAY_SUMS];
-    own.count = 0;
+    own->count = 0;
     burnish_share_prepare(ops, points, count, scratch);
     for (int i = 0; i < count; ++i) {
         const int pixel = points->pixels ? points->pixels[i] : points->first_pixel + i;
         float p[3], n[3], sums[BURNISH_RAY_SUMS] = {0};
         scratch->open[0][i] = scratch->open[1][i] = lit[i] = 1;
+        scratch->bounced[0][i] = scratch->bounced[1][i] = scratch->bounced[2][i] = 0;
         if (points->shown && points->shown[i] < 0) {
             continue;
         }
@@ -419,15 +618,15 @@ void burnish_ray_tile_look(const burnish_ray_tile *tile, const burnish_ray_light
             continue;
         }
         for (int k = 0; k < 3; ++k) {
-            own.values[k][own.count] = p[k];
-            own.values[3 + k][own.count] = own.values[6 + k][own.count] = n[k];
+            own->values[k][own->count] = p[k];
+            own->values[3 + k][own->count] = own->values[6 + k][own->count] = n[k];
         }
-        own.from[own.count++] = (uint16_t)i;
+        own->from[own->count++] = (uint16_t)i;
     }
-    if (own.count > 0) {
-        cast_own(&own, light, ops, of_own);
+    if (own->count > 0) {
+        cast_own(tile, own, light, ops, of_own);
     }
-    for (size_t i = 0; i < own.count; ++i) {
-        set_seen(light, of_own[i], MORE_PATTERNS, own.from[i], scratch, lit);
+    for (size_t i = 0; i < own->count; ++i) {
+        set_seen(light, of_own[i], MORE_PATTERNS, own->from[i], scratch, lit);
     }
 }

@@ -1,6 +1,7 @@
-/* Occlusion and shadows by rays. Each pixel casts a few to the sky and to each area light, neighbours
- * others, and what a point sees is the mean over the pixels around it whose surface is its own: so a
- * picture has no noise that changes. Rays find shares of light, whose amount is known without them. */
+/* Occlusion, shadows and light that bounces by rays. Each pixel casts a few to the sky and to each area
+ * light, neighbours others, and what a point sees is the mean over the pixels around it whose surface is
+ * its own: so a picture has no noise that changes. Rays find shares of light, whose amount is known
+ * without them, and what surfaces that they meet send back. */
 #ifndef BURNISH_RENDER_LIGHT_RAY_LIGHT_H
 #define BURNISH_RENDER_LIGHT_RAY_LIGHT_H
 
@@ -10,13 +11,18 @@
 #include "rays/rays.h"
 #include "render/light/occlusion_share.h"
 #include "render/render_ops.h"
+#include "shading/shader.h"
 
 enum {
     BURNISH_RAY_SAMPLES = 4,                     /* of a pixel */
     BURNISH_RAY_PATTERNS = BURNISH_BLOCK_PIXELS, /* one per pixel of a block */
     BURNISH_RAY_DIRECTIONS = BURNISH_RAY_SAMPLES * BURNISH_RAY_PATTERNS, /* of these */
     BURNISH_RAY_DIRECTIONS_MAX = 4 * BURNISH_RAY_DIRECTIONS,             /* of the ground */
-    BURNISH_RAY_LIGHT_EDGE = 16                                          /* of the table of light */
+    BURNISH_RAY_LIGHT_EDGE = 16,                                         /* of the table of light */
+    BURNISH_RAY_MARGIN = 2, /* pixels around a tile that count for its own */
+    BURNISH_RAY_EDGE = BURNISH_TILE_SIZE + 2 * BURNISH_RAY_MARGIN,
+    BURNISH_RAY_PIXELS = BURNISH_RAY_EDGE * BURNISH_RAY_EDGE,
+    BURNISH_RAY_BOUNCES = 2 /* that are followed */
 };
 
 /* A light that rays look for, in the raster's space; of a distant one, from everywhere. */
@@ -32,11 +38,16 @@ typedef struct burnish_ray_light {
     const burnish_ray_tree *tree;
     const burnish_ray_ops *ops;
     const burnish_mesh_view *mesh; /* that is drawn, with the ids of the raster */
+    const burnish_mesh_view *solid; /* of whose triangles the tree's are the first */
+    const burnish_kernels_shader *shaders; /* one per material */
+    int has_colors;                        /* 1: vertices have some */
+    float center[3], scale;        /* (position - center) scale is in the raster's space */
     float eye[3];                  /* the camera, in the raster's space */
     float offset;                  /* off a surface's triangle */
     float near;                    /* points so far from a point's plane are of another surface */
     int has_sky;                   /* 0: only shadows of lamps are wanted */
     float strength;                /* [0, 1]: what a point that sees no sky loses of its light */
+    float mean, tint[3]; /* light of the surfaces that are seen, on white: luminance, and its colour */
     /* across, across and along a normal: evenly by cosine, all of them, a pattern's, and those of the
      * first patterns */
     float directions[BURNISH_RAY_DIRECTIONS_MAX][3];
@@ -58,28 +69,52 @@ typedef struct burnish_ray_points {
     size_t count; /* at most BURNISH_OCCLUDED_MAX, readable up to the next multiple of 16 */
 } burnish_ray_points;
 
-/* What rays of a point found: how many to the sky are hidden; then of the sky, and of each lamp, the
- * light without what hides it, and what is hidden of it. */
+/* Rays of points, from off their triangles, and what they met. */
+typedef struct burnish_started_rays {
+    float origin[3][BURNISH_OCCLUDED_MAX], direction[3][BURNISH_OCCLUDED_MAX];
+    float reach[BURNISH_OCCLUDED_MAX], light[BURNISH_OCCLUDED_MAX], hits[BURNISH_OCCLUDED_MAX];
+    float distance[BURNISH_OCCLUDED_MAX]; /* of the nearest hit, if it is wanted */
+    int32_t place[BURNISH_OCCLUDED_MAX];  /* its triangle's in the tree */
+    burnish_ray_batch batch;
+} burnish_started_rays;
+
+/* Points that are brought together to cast rays. */
+typedef struct burnish_gathered_points {
+    float values[9][BURNISH_OCCLUDED_MAX + 16]; /* as burnish_ray_points has them */
+    float sums[3][BURNISH_OCCLUDED_MAX + 16];   /* what the rays' kernel wrote */
+    float light[3][BURNISH_OCCLUDED_MAX];       /* that comes over other surfaces */
+    float albedo[3][BURNISH_OCCLUDED_MAX];      /* of points on surfaces that rays have met */
+    uint16_t from[BURNISH_OCCLUDED_MAX];        /* whose points they are */
+    size_t count;
+} burnish_gathered_points;
+
+/* What rays of a point found: light that comes over other surfaces, for a surface in the mean light's
+ * colour; then of the sky, and of each lamp, the light without what hides it, and what is hidden of it.
+ */
 enum {
-    BURNISH_RAY_COVERED,
-    BURNISH_RAY_SKY,
+    BURNISH_RAY_BOUNCED,
+    BURNISH_RAY_SKY = BURNISH_RAY_BOUNCED + 3,
     BURNISH_RAY_LAMPS = BURNISH_RAY_SKY + 2,
     BURNISH_RAY_LAMPS_MAX = BURNISH_AREA_LIGHT_MAX + 1, /* and a directional one */
     BURNISH_RAY_SUMS = BURNISH_RAY_LAMPS + 2 * BURNISH_RAY_LAMPS_MAX
 };
 
-/* The pixels of a tile, row after row. */
+/* The pixels of a tile and a margin, row after row. */
 typedef struct burnish_ray_tile {
-    float position[3][BURNISH_TILE_PIXELS], normal[3][BURNISH_TILE_PIXELS];
-    float face[3][BURNISH_TILE_PIXELS];
-    float sums[BURNISH_RAY_SUMS][BURNISH_TILE_PIXELS];
-    uint16_t rank[BURNISH_TILE_PIXELS];  /* of the point that stands for the pixel; 0: none */
-    uint16_t cut[BURNISH_TILE_PIXELS];   /* bit i: some rays to lamp i are not in its light */
-    uint16_t mixed[BURNISH_TILE_PIXELS]; /* bit i: rays to lamp i did not agree; there are more */
-    int width, height;
+    float position[3][BURNISH_RAY_PIXELS], normal[3][BURNISH_RAY_PIXELS];
+    float face[3][BURNISH_RAY_PIXELS];
+    float sums[BURNISH_RAY_SUMS][BURNISH_RAY_PIXELS];
+    uint16_t rank[BURNISH_RAY_PIXELS];  /* of the point that stands for the pixel; 0: none */
+    uint16_t cut[BURNISH_RAY_PIXELS];   /* bit i: some rays to lamp i are not in its light */
+    uint16_t mixed[BURNISH_RAY_PIXELS]; /* bit i: rays to lamp i did not agree; there are more */
+    burnish_gathered_points points, met[BURNISH_RAY_BOUNCES]; /* scratch */
+    burnish_started_rays rays;
 } burnish_ray_tile;
 
-void burnish_ray_tile_begin(burnish_ray_tile *tile, int width, int height);
+/* Where the pixel is that is so many to the right of and below the tile's first. */
+static inline int burnish_ray_place(int x, int y) {
+    return (y + BURNISH_RAY_MARGIN) * BURNISH_RAY_EDGE + x + BURNISH_RAY_MARGIN;
+}
 
 /* The rank of a fragment: the one of the most samples stands for a pixel, of equals the first sample's.
  */
@@ -87,19 +122,25 @@ static inline uint16_t burnish_ray_rank(unsigned samples) {
     return (uint16_t)(__builtin_popcount(samples) * 16 + 15 - __builtin_ctz(samples));
 }
 
-/* A point of pixel `pixel`, unless one of a higher rank stands for it.
+/* A point of the pixel at a place, unless one of a higher rank stands for it.
  *   normal  of any length; triangle: burnish_primitive.id_and_facing, or UINT32_MAX for a cap */
-void burnish_ray_tile_add(burnish_ray_tile *tile, const burnish_ray_light *light, int pixel,
+void burnish_ray_tile_add(burnish_ray_tile *tile, const burnish_ray_light *light, int at,
                           uint16_t rank, const float position[3], const float normal[3],
                           uint32_t triangle);
+
+/* Adds the points of pixels that rays from the camera find.
+ *   ends  x, y, z of each ray's start and of a point on it, from the eye; at: the pixels' places */
+void burnish_ray_tile_find(burnish_ray_tile *tile, const burnish_ray_light *light,
+                           float *const ends[2][3], const uint16_t *at, size_t count);
 
 /* Casts the rays of all pixels. */
 void burnish_ray_tile_cast(burnish_ray_tile *tile, const burnish_ray_light *light,
                            const burnish_render_ops *ops);
 
-/* Writes what points see of the light and the sky to scratch->open, and of the lamp that is kept apart
- * to lit. Points that no pixel around stands for cast rays of their own. */
-void burnish_ray_tile_look(const burnish_ray_tile *tile, const burnish_ray_light *light,
+/* Writes what points see of the light to scratch->open[0], what comes over other surfaces to
+ * scratch->bounced, and what they see of the lamp that is kept apart to lit. Points that no pixel around
+ * stands for cast rays of their own. */
+void burnish_ray_tile_look(burnish_ray_tile *tile, const burnish_ray_light *light,
                            const burnish_render_ops *ops, const burnish_share_points *points,
                            int count, burnish_share_scratch *scratch, float *lit);
 

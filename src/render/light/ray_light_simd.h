@@ -42,15 +42,8 @@ BURNISH_INLINE vf light_from(const burnish_ray_light *light, const vf d[3]) {
     return vf_add(row[0], vf_mul(vf_sub(row[1], row[0]), share[1]));
 }
 
-/* The rays of points, from off their triangles. */
-typedef struct started_rays {
-    float origin[3][BURNISH_OCCLUDED_MAX], direction[3][BURNISH_OCCLUDED_MAX];
-    float reach[BURNISH_OCCLUDED_MAX], light[BURNISH_OCCLUDED_MAX], hits[BURNISH_OCCLUDED_MAX];
-    burnish_ray_batch batch;
-} started_rays;
-
 static void start_rays(const burnish_ray_light *light, const burnish_ray_points *points,
-                       started_rays *rays, float *const sums[3]) {
+                       burnish_started_rays *rays, float *const sums[3]) {
     rays->batch = (burnish_ray_batch){.reach = rays->reach, .count = points->count};
     for (int k = 0; k < 3; ++k) {
         rays->batch.origin[k] = rays->origin[k];
@@ -71,7 +64,7 @@ static void start_rays(const burnish_ray_light *light, const burnish_ray_points 
 /* Sets the rays from point i on: toward d, which brings `light`. None goes below its triangle, from
  * which a smooth normal leans away, or it would hide them from the light along it. */
 BURNISH_INLINE void set_rays(const burnish_ray_points *points, size_t i, const vf d[3], vf light,
-                             vf reach, started_rays *rays) {
+                             vf reach, burnish_started_rays *rays) {
     vf face[3];
     for (int k = 0; k < 3; ++k) {
         face[k] = vf_load(points->face[k] + i);
@@ -85,9 +78,13 @@ BURNISH_INLINE void set_rays(const burnish_ray_points *points, size_t i, const v
 }
 
 /* Adds how many rays are hidden, or bring light, their light, and what is hidden of it. */
-static void add_rays(const burnish_ray_light *light, started_rays *rays, int is_lamp,
-                     float *const sums[3]) {
-    light->ops->find_hits(light->tree, &rays->batch, rays->hits);
+static void add_rays(const burnish_ray_light *light, burnish_started_rays *rays, int is_lamp,
+                     int is_nearest, float *const sums[3]) {
+    if (!is_nearest) {
+        light->ops->find_hits(light->tree, &rays->batch, rays->hits);
+    } else {
+        light->ops->find_nearest(light->tree, &rays->batch, rays->hits, rays->distance, rays->place);
+    }
     for (size_t i = 0; i < rays->batch.count; i += LANES) {
         const vf all = vf_load(rays->light + i), hit = vf_load(rays->hits + i);
         const vf lights = vf_and_mask(vf_greater(all, vf_set(0.0f)), vf_set(1.0f));
@@ -99,9 +96,9 @@ static void add_rays(const burnish_ray_light *light, started_rays *rays, int is_
 }
 
 static void sample_sky(const burnish_ray_light *light, const burnish_ray_points *points, int first,
-                       int count, float *const sums[3]) {
-    started_rays rays;
-    start_rays(light, points, &rays, sums);
+                       int count, burnish_started_rays *met, float *const sums[3]) {
+    burnish_started_rays own, *const rays = met ? met : &own;
+    start_rays(light, points, rays, sums);
     for (int sample = first; sample < first + count; ++sample) {
         const float *const local = light->directions[sample];
         for (size_t i = 0; i < points->count; i += LANES) {
@@ -118,9 +115,9 @@ static void sample_sky(const burnish_ray_light *light, const burnish_ray_points 
             }
             const vm has_normal = vf_greater(squared, vf_set(0.5f)); /* without: open */
             set_rays(points, i, d, light_from(light, d), vf_and_mask(has_normal, vf_set(RAY_REACH)),
-                     &rays);
+                     rays);
         }
-        add_rays(light, &rays, 0, sums);
+        add_rays(light, rays, 0, met != NULL, sums);
     }
 }
 
@@ -171,7 +168,7 @@ static void sample_lamp(const burnish_ray_light *light, int number,
     const burnish_ray_lamp *lamp = &light->lamps[number];
     const int is_round = lamp->shape == BURNISH_AREA_DISC || lamp->shape == BURNISH_AREA_SPHERE;
     const vf zero = vf_set(0.0f), tiny = vf_set(0x1p-40f);
-    started_rays rays;
+    burnish_started_rays rays;
     start_rays(light, points, &rays, sums);
     for (int sample = first; sample < first + count; ++sample) {
         const float *const place = light->places[is_round][sample];
@@ -201,7 +198,7 @@ static void sample_lamp(const burnish_ray_light *light, int number,
             const vf reach = lamp->is_distant ? vf_set(RAY_REACH) : vf_mul(squared, inverse);
             set_rays(points, i, d, vf_mul(part, vf_set(lamp->strength)), reach, &rays);
         }
-        add_rays(light, &rays, 1, sums);
+        add_rays(light, &rays, 1, 0, sums);
     }
 }
 
