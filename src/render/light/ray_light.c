@@ -20,6 +20,7 @@
 /* From so much on the mean of the pixels around blurs such an edge more than it takes noise away; from
  * twice as much on it does not count. */
 #define BLURRED_STEP 0.1f
+#define BLURRED_MEAN_STEP 0.03f
 
 /* Patterns of rays where one is not enough. */
 enum { MORE_PATTERNS = 4 };
@@ -501,21 +502,25 @@ void burnish_ray_tile_cast(burnish_ray_tile *tile, const burnish_ray_light *ligh
 
 /* ---- What points see ---- */
 
-/* What is hidden of a lamp, as a share: of the pixels around, unless the pixel itself sees so much more
- * or less that an edge lies there, which their mean would blur. */
-static float hidden_share(float around, float own) {
-    const float step = own > around ? own - around : around - own;
-    const float edge = (step - BLURRED_STEP) * (1 / BLURRED_STEP);
-    return edge <= 0 ? around : around + (own - around) * (edge < 1 ? edge : 1);
+/* What is hidden of a lamp, as a share: of the pixels beside, where all have cast more rays, otherwise of
+ * those around; unless an edge lies there, which their mean would blur. It does where fewer pixels or the
+ * own one see so much more or less. */
+static float hidden_share(float around, float own, const float beside[3]) {
+    const int is_fine = beside[2] == 0;
+    const float mean = is_fine ? beside[1] / beside[0] : around;
+    const float limit = is_fine ? BLURRED_MEAN_STEP : BLURRED_STEP, step = (is_fine ? mean : own) - around;
+    const float edge = (step < 0 ? -step : step) / limit - 1;
+    return edge <= 0 ? mean : mean + (own - mean) * (edge < 1 ? edge : 1);
 }
 
 /* Adds what pixels around a point found, each of a pattern's weight. Returns the weight of all. */
 static float gather_sums(const burnish_ray_tile *tile, const burnish_ray_light *light, int pixel,
                          const float p[3], const float n[3], float sums[BURNISH_RAY_SUMS]) {
-    static const float tent[5] = {0.5f, 1, 1, 1, 0.5f}; /* each pattern once */
+    static const float tent[5] = {0.5f, 1, 1, 1, 0.5f};    /* each pattern once */
+    static const float of_finer[5] = {0, 0.5f, 1, 0.5f, 0}; /* each finer one */
     const int column = burnish_pixel_x(pixel), row = burnish_pixel_y(pixel);
     const int sum_count = sums_of(light->lamp_count);
-    float all = 0;
+    float all = 0, beside[BURNISH_RAY_LAMPS_MAX][3] = {{0}};
     int own = -1;
     for (int i = 0; i < 25; ++i) {
         const int at = burnish_ray_place(column + i % 5 - 2, row + i / 5 - 2);
@@ -536,12 +541,20 @@ static float gather_sums(const burnish_ray_tile *tile, const burnish_ray_light *
             }
             all += weight;
             own = i == 12 ? at : own;
+            const float finer = weight * of_finer[i % 5] * of_finer[i / 5];
+            for (int lamp = 0; lamp < light->lamp_count && finer > 0; ++lamp) {
+                beside[lamp][0] += finer * tile->sums[sums_of(lamp)][at];
+                beside[lamp][1] += finer * tile->sums[sums_of(lamp) + 1][at];
+                beside[lamp][2] += tile->mixed[at] >> lamp & 1 ? 0 : finer;
+            }
         }
     }
     for (int lamp = 0; lamp < light->lamp_count && own >= 0; ++lamp) {
         float *const of = sums + sums_of(lamp);
-        if (of[0] > 0 && tile->mixed[own] >> lamp & 1 && !(tile->cut[own] >> lamp & 1)) {
-            of[1] = of[0] * hidden_share(of[1] / of[0], share_at(tile, own, sums_of(lamp)));
+        if (of[0] > 0 && beside[lamp][0] > 0 && tile->mixed[own] >> lamp & 1 &&
+            !(tile->cut[own] >> lamp & 1)) {
+            of[1] = of[0] * hidden_share(of[1] / of[0], share_at(tile, own, sums_of(lamp)),
+                                         beside[lamp]);
         }
     }
     return all;
