@@ -11,7 +11,19 @@
 #include "simd/isa.h"
 
 /* Normal, colour, position, w, first light, openness, x, y, facing, and BURNISH_TEXTURE_STREAMS. */
-enum { BURNISH_BATCH_STREAMS = 19 + 18 };
+/* What points see, of what there would be without anything that hides it. Maps find the first two, rays
+ * the others and the first. */
+enum {
+    BURNISH_SEEN_LIGHT,
+    BURNISH_SEEN_SKY,
+    BURNISH_SEEN_BOUNCED = 1, /* three: light that comes over other surfaces */
+    BURNISH_SEEN_MIRRORED = 4, /* three: what other surfaces send along the lobe */
+    BURNISH_SEEN_CLEAR = 7,    /* of what is mirrored from everywhere else */
+    BURNISH_SEEN_VALUES,
+    BURNISH_SEEN_BATCH = 256
+};
+
+enum { BURNISH_BATCH_STREAMS = 22 + 18 };
 
 /* Without a lobe, and the family's two: the first of burnish_lobe_body. */
 enum { BURNISH_CODE_BODIES = 4 };
@@ -123,12 +135,12 @@ typedef struct burnish_render_ops {
 
     /* Multiplies the light of count points by what they see of it, open[0], and adds what surfaces
      * around them, which hide the sky of open[1], send there.
-     *   albedo   per channel; factor: of each point, NULL: 1
-     *   bounced  what they send as rays found it; NULL: what open[1] says
+     *   albedo  per channel; factor: of each point, NULL: 1
+     *   open    BURNISH_SEEN_VALUES arrays, as far as lookup->is_traced needs them
      * Reads and writes whole vectors. */
     void (*add_bounces)(const struct burnish_occlusion_lookup *lookup, const float albedo[3],
-                        const float *const factor[3], const float *const open[2],
-                        const float *const *bounced, size_t count, float *const rgb[3]);
+                        const float *const factor[3], float (*open)[BURNISH_SEEN_BATCH],
+                        size_t count, float *const rgb[3]);
 
     /* Bits of the 16 pixels of a block that are shown, >= 0 (NULL: all); *alike: bits of those whose
      * squared distance from the first shown is below limits[0], and the cosine above limits[1]. */

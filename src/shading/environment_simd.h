@@ -392,6 +392,10 @@ BURNISH_INLINE void environment_vector(const burnish_environment_constants *cons
         }
     }
     environment_add_near(each, i, diffuse, specular);
+    for (int k = 0; k < 3 && each->clear; ++k) {
+        specular[k] = vf_add(vf_mul(specular[k], vf_load(each->clear + i)),
+                             vf_load(each->mirrored[k] + i));
+    }
     if (material->reflects) {
         environment_reflectance(&surface, at.n_dot_v, once, again);
     }
@@ -405,7 +409,7 @@ static void add_environment(const burnish_environment_constants *constants,
                             float *const rgb[3]) {
     const int only_normals = !constants->local_viewer && !(constants->nearness > 0) &&
                              !each->roughness && !each->open && !each->diffuse[0] &&
-                             !each->reflectance[0] && !each->near_diffuse[0];
+                             !each->reflectance[0] && !each->near_diffuse[0] && !each->clear;
     vf color[3] = {vf_set(0.0f), vf_set(0.0f), vf_set(0.0f)};
     for (size_t i = 0; i < count; i += LANES) {
         if (i > 0 && only_normals && shade_repeats(points->normal, i)) {

@@ -29,9 +29,10 @@ void burnish_occlude_batch(const burnish_shading *shading, const burnish_fragmen
         burnish_occlude_points(shading->occlusion, shading->ops, &shared, batch->count,
                                &scratch->share);
     }
-    for (int i = 0; shading->hollow_from > 0 && i < 2 * batch->count; ++i) {
-        float *const own = &scratch->share.open[i % 2][i / 2];
-        const int is_hollow = scratch->texture.ids[i / 2] >> 1 >= shading->hollow_from;
+    const int values = shading->ray_light ? 1 : 2;
+    for (int i = 0; shading->hollow_from > 0 && i < values * batch->count; ++i) {
+        float *const own = &scratch->share.open[i % values][i / values];
+        const int is_hollow = scratch->texture.ids[i / values] >> 1 >= shading->hollow_from;
         *own = is_hollow && *own < HOLLOW_OPEN ? HOLLOW_OPEN : *own;
     }
     float *const open = scratch->share.open[0];
@@ -42,7 +43,7 @@ void burnish_occlude_batch(const burnish_shading *shading, const burnish_fragmen
 }
 
 void burnish_add_bounces(const burnish_shading *shading, const burnish_kernels_points *points,
-                         int count, int material, const burnish_bounce_points *bounces,
+                         int count, int material, float (*open)[BURNISH_SHADE_BATCH],
                          const burnish_texture_scratch *textures, float *const rgb[3]) {
     const burnish_textured_material *textured =
         shading->texturing ? &shading->texturing->materials[material] : NULL;
@@ -56,8 +57,7 @@ void burnish_add_bounces(const burnish_shading *shading, const burnish_kernels_p
             factor[k] = textures->ambient[k];
         }
     }
-    shading->ops->add_bounces(shading->occlusion, albedo, factor, bounces->open,
-                              shading->ray_light ? bounces->bounced : NULL, (size_t)count, rgb);
+    shading->ops->add_bounces(shading->occlusion, albedo, factor, open, (size_t)count, rgb);
 }
 
 void burnish_add_bounces_mixed(const burnish_shading *shading, const burnish_fragment_batch *batch,
@@ -69,10 +69,8 @@ void burnish_add_bounces_mixed(const burnish_shading *shading, const burnish_fra
             scratch->albedo[k][i] = shading->shaders[batch->material[i]].albedo[k];
         }
     }
-    const burnish_bounce_points bounces = burnish_bounces_of(scratch->share.open, scratch->share.bounced);
-    shading->ops->add_bounces(shading->occlusion, white, albedo, bounces.open,
-                              shading->ray_light ? bounces.bounced : NULL, (size_t)batch->count,
-                              rgb);
+    shading->ops->add_bounces(shading->occlusion, white, albedo, scratch->share.open,
+                              (size_t)batch->count, rgb);
 }
 
 /* ---- The points of a tile from which rays are cast: of each pixel the one that most of it shows ---- */
@@ -91,10 +89,10 @@ static void add_points(const burnish_shading *shading, const burnish_fragment_ba
                             position[2][i] * inverse};
         const float normal[3] = {batch->normal[0][i], batch->normal[1][i], batch->normal[2][i]};
         const int pixel = batch->pixels ? batch->pixels[i] : batch->first_pixel + i;
+        const int at = burnish_ray_place(burnish_pixel_x(pixel), burnish_pixel_y(pixel));
         if (ranks[i] > 0) {
-            burnish_ray_tile_add(scratch->rays, shading->ray_light,
-                                 burnish_ray_place(burnish_pixel_x(pixel), burnish_pixel_y(pixel)),
-                                 ranks[i], p, normal, triangles[i]);
+            burnish_ray_tile_add(scratch->rays, shading->ray_light, at, ranks[i], p, normal,
+                                 triangles[i]);
         }
     }
 }
@@ -140,48 +138,6 @@ static void add_block_row(const burnish_surface *surface, const burnish_tile *ti
     add_points(surface->shading, &batch, ranks, triangles, scratch);
 }
 
-/* Adds the pixels around the tile that count for its own: those of neighbouring tiles. */
-static void add_margin(const burnish_surface *surface, const burnish_tile *tile,
-                       burnish_fragment_scratch *scratch) {
-    enum { EDGE = BURNISH_RAY_EDGE, MARGIN = BURNISH_RAY_MARGIN };
-    const burnish_raster_view *view = surface->view;
-    float x[BURNISH_SHADE_BATCH], y[BURNISH_SHADE_BATCH], depth[2][BURNISH_SHADE_BATCH] = {{0}};
-    float places[2][3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
-    float *const ends[2][3] = {{places[0][0], places[0][1], places[0][2]},
-                               {places[1][0], places[1][1], places[1][2]}};
-    uint16_t at[BURNISH_SHADE_BATCH];
-    int count = 0;
-    for (int i = 0; i < BURNISH_SHADE_BATCH; ++i) {
-        x[i] = y[i] = 0;
-        depth[0][i] = 1;
-        depth[1][i] = 0.5f;
-    }
-    for (int i = 0; i < BURNISH_RAY_PIXELS; ++i) {
-        const int column = i % EDGE - MARGIN, row = i / EDGE - MARGIN;
-        const int is_own = column >= 0 && row >= 0 && column < tile->width && row < tile->height;
-        const int is_there = tile->x + column >= 0 && tile->y + row >= 0 &&
-                             tile->x + column < view->width && tile->y + row < view->height;
-        if (is_there && !is_own) {
-            x[count] = (float)(2 * (tile->x + column) + 1 - view->width) * 0.5f;
-            y[count] = (float)(view->height - 2 * (tile->y + row) - 1) * 0.5f;
-            at[count++] = (uint16_t)i;
-        }
-        if (count == BURNISH_SHADE_BATCH || (i + 1 == BURNISH_RAY_PIXELS && count > 0)) {
-            for (int end = 0; end < 2; ++end) {
-                const burnish_screen_points points = {0, 0, x, y, depth[end]};
-                surface->shading->ops->position_from_depth(&surface->shading->rays, &points,
-                                                           BURNISH_SHADE_BATCH, ends[end], w);
-                for (int k = 0; k < 3 * count; ++k) {
-                    places[end][k % 3][k / 3] /= w[k / 3];
-                }
-            }
-            burnish_ray_tile_find(scratch->rays, surface->shading->ray_light, ends, at,
-                                  (size_t)count);
-            count = 0;
-        }
-    }
-}
-
 void burnish_surface_cast_rays(const burnish_surface *surface, const burnish_raster_ops *ops,
                                const burnish_tile *tile, burnish_fragments *fragments,
                                burnish_fragment_scratch *scratch, burnish_row_light *row) {
@@ -198,6 +154,7 @@ void burnish_surface_cast_rays(const burnish_surface *surface, const burnish_ras
             add_block_row(surface, tile, number, scratch, row);
         }
     }
-    add_margin(surface, tile, scratch);
+    burnish_ray_tile_add_margin(scratch->rays, surface->shading->ray_light, &surface->shading->rays,
+                                tile, surface->view->width, surface->view->height);
     burnish_ray_tile_cast(scratch->rays, surface->shading->ray_light, surface->shading->ops);
 }

@@ -167,7 +167,7 @@ static void find_sky(const burnish_call *d, burnish_ray_light *light) {
     enum { COUNT = BURNISH_RAY_LIGHT_EDGE * BURNISH_RAY_LIGHT_EDGE };
     _Static_assert((int)COUNT <= (int)BURNISH_OCCLUSION_MAX, "the table fits");
     burnish_render_options sky = *d->options;
-    float w[3][COUNT], all[COUNT], mean = 0;
+    float w[3][COUNT], *const all = light->all_light, mean = 0;
     for (int i = 0; i < COUNT; ++i) {
         const burnish_vec3 toward = burnish_ray_light_direction(i);
         w[0][i] = (float)toward.x;
@@ -201,6 +201,11 @@ static void set_space(const burnish_call *d, burnish_ray_light *light) {
     light->mesh = d->mesh.view;
     light->solid = d->solid;
     light->shaders = d->view.shading.shaders;
+    light->reflecting = d->view.shading.area ? d->view.shading.area->materials : NULL;
+    light->is_parallel = d->view.shading.rays.q_per_depth == 0;
+    for (int k = 0; k < 3; ++k) {
+        light->viewer[k] = (float)d->view.area.axes[2][k];
+    }
     light->has_colors = d->solid->colors && !d->mesh.ignore_colors;
     light->scale = (float)burnish_space_scale(d->solid);
     burnish_space_store(burnish_space_center(d->solid), light->center);
@@ -271,6 +276,7 @@ static burnish_status update_occlusion(burnish_call *d) {
     if (d->options->occlusion == 0 || !d->target.pixels.pixels) {
         return BURNISH_STATUS_OK;
     }
+    d->view.occlusion.is_traced = casts_rays(d);
     d->view.occlusion.strength = d->options->occlusion_strength;
     d->view.shading.occlusion = &d->view.occlusion;
     find_mean_light(d, d->view.occlusion.mean);

@@ -62,6 +62,15 @@ void burnish_shade_material(const burnish_shading *shading, const burnish_fragme
                               .cells = &scratch->cells,
                               .screen = &batch->points,
                               .shown = batch->shown};
+    if (shading->ray_light && shading->occlusion) {
+        const int is_group = points->w == scratch->group.w;
+        float(*const open)[BURNISH_SHADE_BATCH] =
+            is_group ? scratch->group.open : scratch->share.open;
+        lit.clear = open[BURNISH_SEEN_CLEAR];
+        for (int k = 0; k < 3; ++k) {
+            lit.mirrored[k] = open[BURNISH_SEEN_MIRRORED + k];
+        }
+    }
     if (texturing && texturing->materials[material].is_special) {
         const float *from[2][BURNISH_TEXTURE_SECOND];
         for (int k = 0; k < BURNISH_TEXTURE_SECOND; ++k) {
@@ -180,12 +189,9 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
         brought.first_light = group->lit;
         add_stream(&streams, points->first_light, group->lit);
     }
-    if (shading->occlusion) {
-        add_stream(&streams, scratch->share.open[0], group->open[0]);
-        add_stream(&streams, scratch->share.open[1], group->open[1]);
-    }
-    for (int k = 0; shading->ray_light && k < 3; ++k) {
-        add_stream(&streams, scratch->share.bounced[k], group->bounced[k]);
+    const int seen = shading->ray_light ? BURNISH_SEEN_VALUES : BURNISH_SEEN_SKY + 1;
+    for (int k = 0; shading->occlusion && k < seen; ++k) {
+        add_stream(&streams, scratch->share.open[k], group->open[k]);
     }
     for (int k = 0; shading->texturing && k < BURNISH_TEXTURE_STREAMS; ++k) {
         if (k < BURNISH_TEXTURE_SHIFT_X ||
@@ -204,8 +210,7 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
             burnish_shade_layers(shading, &part, &brought, scratch->texture.brought, material,
                                  scratch, light);
             if (shading->occlusion) {
-                const burnish_bounce_points bounces = burnish_bounces_of(group->open, group->bounced);
-                burnish_add_bounces(shading, &brought, size, material, &bounces, &scratch->texture,
+                burnish_add_bounces(shading, &brought, size, material, group->open, &scratch->texture,
                                     light);
             }
             shading->ops->scatter_material(material, batch->material, size, group->starts, shaded,
@@ -259,8 +264,7 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
         burnish_shade_layers(shading, batch, &points, scratch->texture.points, material, scratch,
                              rgb);
         if (shading->occlusion) {
-            const burnish_bounce_points bounces = burnish_bounces_of(scratch->share.open, scratch->share.bounced);
-            burnish_add_bounces(shading, &points, batch->count, material, &bounces,
+            burnish_add_bounces(shading, &points, batch->count, material, scratch->share.open,
                                 &scratch->texture, rgb);
         }
         burnish_keep_passed(shading, NULL, material, batch->count, scratch);
@@ -319,7 +323,7 @@ static const float PIXEL_Y[BURNISH_BLOCK_ROW_PIXELS] = {
 _Static_assert((int)BURNISH_BLOCK_ROW_PIXELS == 256 &&
                    (int)BURNISH_BLOCK_ROW_PIXELS <= (int)BURNISH_SHADE_BATCH,
                "a row of blocks is one batch");
-_Static_assert((int)BURNISH_BATCH_STREAMS == 19 + (int)BURNISH_TEXTURE_STREAMS, "all streams fit");
+_Static_assert((int)BURNISH_BATCH_STREAMS == 22 + (int)BURNISH_TEXTURE_STREAMS, "all streams fit");
 _Static_assert((int)BURNISH_FRAGMENT_BATCH <= (int)BURNISH_SHADE_BATCH,
                "so is a group of fragments");
 

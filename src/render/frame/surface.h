@@ -113,7 +113,7 @@ typedef struct burnish_surface {
 typedef struct burnish_material_group {
     float normal[3][BURNISH_SHADE_BATCH], diffuse[3][BURNISH_SHADE_BATCH];
     float position[3][BURNISH_SHADE_BATCH], w[BURNISH_SHADE_BATCH];
-    float lit[BURNISH_SHADE_BATCH], open[2][BURNISH_SHADE_BATCH], bounced[3][BURNISH_SHADE_BATCH];
+    float lit[BURNISH_SHADE_BATCH], open[BURNISH_SEEN_VALUES][BURNISH_SHADE_BATCH];
     float x[BURNISH_SHADE_BATCH], y[BURNISH_SHADE_BATCH], facing[BURNISH_SHADE_BATCH];
     float light[3][BURNISH_SHADE_BATCH];
     int32_t left[BURNISH_SHADE_BATCH];   /* materials not shaded yet, -1 for the others */
@@ -187,20 +187,10 @@ void burnish_shade_material(const burnish_shading *shading, const burnish_fragme
 void burnish_occlude_batch(const burnish_shading *shading, const burnish_fragment_batch *batch,
                            const burnish_kernels_points *points, burnish_fragment_scratch *scratch);
 
-/* What points see, as burnish_share_scratch has it. */
-typedef struct burnish_bounce_points {
-    const float *open[2], *bounced[3];
-} burnish_bounce_points;
-
-static inline burnish_bounce_points burnish_bounces_of(float (*open)[BURNISH_SHADE_BATCH],
-                                                       float (*bounced)[BURNISH_SHADE_BATCH]) {
-    return (burnish_bounce_points){{open[0], open[1]}, {bounced[0], bounced[1], bounced[2]}};
-}
-
 /* Multiplies the light of shaded points of one material by what they see of it, open[0], and adds what
  * surfaces around them, which hide the sky of open[1], send there. */
 void burnish_add_bounces(const burnish_shading *shading, const burnish_kernels_points *points,
-                         int count, int material, const burnish_bounce_points *bounces,
+                         int count, int material, float (*open)[BURNISH_SHADE_BATCH],
                          const burnish_texture_scratch *textures, float *const rgb[3]);
 
 /* The same of a batch of several materials without textures or vertex colours. */

@@ -141,6 +141,7 @@ typedef struct burnish_area_batch {
     const struct burnish_near_cells *cells;
     const burnish_screen_points *screen;
     const int32_t *shown;
+    const float *clear, *mirrored[3]; /* burnish_reflecting_points' */
 } burnish_area_batch;
 
 /* Whether a frame has such lights. */

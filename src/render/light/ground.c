@@ -342,6 +342,8 @@ static void cast_texels(const ground_rays *rays, size_t row, size_t first) {
     const burnish_ray_points points = {{values[0], values[1], values[2]},
                                        {values[3], values[4], values[5]},
                                        {values[3], values[4], values[5]},
+                                       NULL,
+                                       {NULL},
                                        (size_t)ground->edge / 2};
     float *hidden = ground->layers + row * (size_t)ground->edge + first;
     for (size_t i = 0; i < points.count; ++i) {

@@ -31,6 +31,7 @@ typedef struct burnish_occlusion_lookup {
     const burnish_occlusion_pair *pairs;
     int32_t back;   /* offset from a map's codes to the codes of the opposite map */
     float strength; /* [0, 1]: what a point that sees no sky loses of its direct light */
+    int is_traced;  /* 1: rays are cast instead */
     float mean[3];  /* light of the surfaces that are seen, on white */
     float offset;   /* along the normal, off the surface that the maps show */
     float slope;    /* a texel's width nearer by depth hides all of a point */

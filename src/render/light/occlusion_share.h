@@ -27,8 +27,7 @@ typedef struct burnish_share_points {
 typedef struct burnish_share_scratch {
     float position[3][BURNISH_SHARE_BATCH], normal[3][BURNISH_SHARE_BATCH]; /* of the points */
     float key_position[3][BURNISH_SHARE_BATCH], key_normal[3][BURNISH_SHARE_BATCH];
-    float open[2][BURNISH_SHARE_BATCH];     /* of the light, of the sky */
-    float bounced[3][BURNISH_SHARE_BATCH];  /* by rays: light that comes over other surfaces */
+    float open[BURNISH_SEEN_VALUES][BURNISH_SHARE_BATCH];
     float key_open[2][BURNISH_SHARE_BATCH]; /* of the keys: the points that are looked up */
     uint16_t key[BURNISH_SHARE_BATCH];      /* of a point */
     uint16_t square[BURNISH_SHARE_BATCH], next[BURNISH_SHARE_BATCH]; /* of a key */

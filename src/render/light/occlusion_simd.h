@@ -206,15 +206,18 @@ BURNISH_INLINE vf bounced_share(vf open, vf albedo) {
 }
 
 static void add_bounces(const burnish_occlusion_lookup *lookup, const float albedo[3],
-                        const float *const factor[3], const float *const open[2],
-                        const float *const *bounced, size_t count, float *const rgb[3]) {
+                        const float *const factor[3], float (*open)[BURNISH_SEEN_BATCH],
+                        size_t count, float *const rgb[3]) {
     for (size_t i = 0; i < count; i += LANES) {
-        const vf seen = vf_load(open[0] + i), sky = vf_load(open[1] + i);
+        const vf seen = vf_load(open[BURNISH_SEEN_LIGHT] + i);
+        const vf sky = vf_load(open[BURNISH_SEEN_SKY] + i);
         for (int k = 0; k < 3; ++k) {
             const vf own = factor[k] ? vf_load(factor[k] + i) : vf_set(1.0f);
             const vf reflected = vf_mul(vf_set(albedo[k]), own);
-            const vf around = bounced ? vf_load(bounced[k] + i) : vf_set(lookup->mean[k]);
-            const vf share = bounced ? vf_set(1.0f) : bounced_share(sky, reflected);
+            const int is_traced = lookup->is_traced;
+            const vf share = is_traced ? vf_load(open[BURNISH_SEEN_BOUNCED + k] + i)
+                                       : bounced_share(sky, reflected);
+            const vf around = is_traced ? vf_set(1.0f) : vf_set(lookup->mean[k]);
             const vf direct = vf_mul(vf_load(rgb[k] + i), seen);
             vf_store(rgb[k] + i, vf_add(direct, vf_mul(vf_mul(reflected, around), share)));
         }

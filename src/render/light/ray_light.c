@@ -31,6 +31,16 @@ enum { MORE_PATTERNS = 4 };
 /* Of the mean light, what surfaces get that no rays are cast from. */
 #define LAST_LIGHT 0.25f
 
+/* Metals reflect more along their normal. */
+#define METAL 0.2f
+
+/* Smoother surfaces mirror others, whatever they reflect; still smoother ones show their edges. */
+#define SMOOTH 0.35f
+#define SHARP 0.05f
+
+/* What is seen of light is at least so much where light is divided by it. */
+#define LEAST_SEEN 0x1p-10f
+
 /* ---- Directions ---- */
 
 burnish_vec3 burnish_ray_light_direction(int i) {
@@ -70,6 +80,8 @@ void burnish_ray_light_prepare(burnish_ray_light *light) {
         light->places[1][i][0] = light->directions[i][0] = (float)(radius * cosine);
         light->places[1][i][1] = light->directions[i][1] = (float)(radius * sine);
         light->directions[i][2] = (float)burnish_sqrt(1 - u);
+        light->lobe[i][0] = (float)(burnish_sqrt(u / (1 - u)) * cosine);
+        light->lobe[i][1] = (float)(burnish_sqrt(u / (1 - u)) * sine);
     }
 }
 
@@ -111,6 +123,21 @@ static burnish_vec3 face_of(const burnish_mesh_view *mesh, uint32_t triangle, bu
     return length > 0 ? burnish_vec3_scale(face, (side < 0 ? -1 : 1) / length) : normal;
 }
 
+/* The alpha of GGX by which a surface mirrors others, for the camera or for another surface; below 0: it
+ * does not. */
+static float gloss_of(const burnish_ray_light *light, size_t material, int is_first) {
+    float most = 0;
+    if (!light->reflecting || !light->reflecting[material].reflecting.reflects) {
+        return -1;
+    }
+    const burnish_reflecting_material *reflecting = &light->reflecting[material].reflecting;
+    for (int k = 0; k < 3; ++k) {
+        most = reflecting->reflectance[k] > most ? reflecting->reflectance[k] : most;
+    }
+    const int is_glossy = most > METAL || (is_first && reflecting->roughness < SMOOTH);
+    return is_glossy ? reflecting->roughness * reflecting->roughness : -1;
+}
+
 void burnish_ray_tile_add(burnish_ray_tile *tile, const burnish_ray_light *light, int at,
                           uint16_t rank, const float position[3], const float normal[3],
                           uint32_t triangle) {
@@ -123,7 +150,14 @@ void burnish_ray_tile_add(burnish_ray_tile *tile, const burnish_ray_light *light
     const burnish_vec3 face = face_of(light->mesh, triangle, unit);
     const float of_normal[3] = {(float)unit.x, (float)unit.y, (float)unit.z};
     const float of_face[3] = {(float)face.x, (float)face.y, (float)face.z};
+    const size_t number = triangle / 2;
+    const int is_known = number < light->mesh->triangle_count;
     tile->rank[at] = rank;
+    tile->gloss[at] = -1;
+    if (is_known) {
+        const uint16_t *materials = light->mesh->triangle_materials;
+        tile->gloss[at] = gloss_of(light, materials ? materials[number] : 0, 1);
+    }
     for (int k = 0; k < 3; ++k) {
         tile->position[k][at] = position[k];
         tile->normal[k][at] = of_normal[k];
@@ -131,15 +165,10 @@ void burnish_ray_tile_add(burnish_ray_tile *tile, const burnish_ray_light *light
     }
 }
 
-/* The normal of a triangle of the tree, against a ray that meets it. */
-static burnish_vec3 met_face(const burnish_ray_light *light, int32_t place,
-                             burnish_vec3 direction) {
-    const float *c = light->tree->triangles[place];
-    const burnish_vec3 first = burnish_vec3_loadf(c);
-    const burnish_vec3 face =
-        burnish_vec3_normalize(burnish_vec3_cross(burnish_vec3_sub(burnish_vec3_loadf(c + 3), first),
-                                                  burnish_vec3_sub(burnish_vec3_loadf(c + 6), first)));
-    return burnish_vec3_dot(face, direction) > 0 ? burnish_vec3_scale(face, -1) : face;
+static void store_lane(burnish_vec3 v, float (*to)[BURNISH_OCCLUDED_MAX], size_t i) {
+    to[0][i] = (float)v.x;
+    to[1][i] = (float)v.y;
+    to[2][i] = (float)v.z;
 }
 
 /* The normal of the mesh where a ray meets one of its triangles, on the side of the face that it meets.
@@ -166,52 +195,96 @@ static burnish_vec3 met_normal(const burnish_ray_light *light, size_t triangle, 
     return burnish_vec3_normalize(normal);
 }
 
-void burnish_ray_tile_find(burnish_ray_tile *tile, const burnish_ray_light *light,
-                           float *const ends[2][3], const uint16_t *at, size_t count) {
-    burnish_started_rays *rays = &tile->rays;
-    const burnish_ray_batch batch = {{rays->origin[0], rays->origin[1], rays->origin[2]},
-                                     {rays->direction[0], rays->direction[1], rays->direction[2]},
-                                     rays->reach,
-                                     count};
-    for (size_t i = 0; i < BURNISH_OCCLUDED_MAX; ++i) {
-        burnish_vec3 from = {0, 0, 0}, to = from;
-        if (i < count) {
-            from = (burnish_vec3){ends[0][0][i], ends[0][1][i], ends[0][2][i]};
-            to = (burnish_vec3){ends[1][0][i], ends[1][1][i], ends[1][2][i]};
-        }
-        burnish_vec3 along = burnish_vec3_normalize(burnish_vec3_sub(to, from));
-        float start[3], direction[3];
-        burnish_space_store(burnish_vec3_add(from, burnish_vec3_loadf(light->eye)), start);
-        burnish_space_store(along, direction);
-        for (int k = 0; k < 3; ++k) {
-            rays->origin[k][i] = start[k];
-            rays->direction[k][i] = direction[k];
-        }
-        rays->reach[i] = i < count ? FAR : 0;
+/* Where ray i meets a triangle, from the eye, and the normal there, if it is wanted. Returns the
+ * triangle's. */
+static burnish_vec3 find_met(const burnish_started_rays *rays, const burnish_ray_light *light,
+                             size_t i, float position[3], float *normal) {
+    const uint32_t number = light->tree->numbers[rays->place[i]];
+    const burnish_vec3 along = {rays->direction[0][i], rays->direction[1][i], rays->direction[2][i]};
+    const burnish_vec3 from = {rays->origin[0][i], rays->origin[1][i], rays->origin[2][i]};
+    const burnish_vec3 point = burnish_vec3_add(from, burnish_vec3_scale(along, rays->distance[i]));
+    const burnish_vec3 face = face_of(light->solid, 2 * number, burnish_vec3_scale(along, -1));
+    burnish_space_store(burnish_vec3_sub(point, burnish_vec3_loadf(light->eye)), position);
+    if (normal) {
+        const int is_known = number < light->solid->triangle_count;
+        burnish_space_store(is_known ? met_normal(light, number, point, face) : face, normal);
     }
-    light->ops->find_nearest(light->tree, &batch, rays->hits, rays->distance, rays->place);
+    return face;
+}
+
+/* Casts the rays of count pixels that are known by them alone, and adds what they show. */
+static void find_points(burnish_ray_tile *tile, const burnish_ray_light *light, const uint16_t *at,
+                        size_t count) {
+    burnish_started_rays *rays = &tile->rays;
+    for (int k = 0; k < 3; ++k) {
+        rays->batch.origin[k] = rays->origin[k];
+        rays->batch.direction[k] = rays->direction[k];
+    }
+    rays->batch.reach = rays->reach;
+    rays->batch.count = count;
+    light->ops->find_nearest(light->tree, &rays->batch, rays->hits, rays->distance, rays->place);
     for (size_t i = 0; i < count; ++i) {
-        if (rays->hits[i] > 0 && light->tree->numbers[rays->place[i]] < light->solid->triangle_count) {
-            const uint32_t triangle = light->tree->numbers[rays->place[i]];
-            burnish_vec3 along = {rays->direction[0][i], rays->direction[1][i], rays->direction[2][i]};
-            burnish_vec3 point = {rays->origin[0][i], rays->origin[1][i], rays->origin[2][i]};
-            point = burnish_vec3_add(point, burnish_vec3_scale(along, rays->distance[i]));
-            const burnish_vec3 face = met_face(light, rays->place[i], along);
+        const uint32_t number = rays->hits[i] > 0 ? light->tree->numbers[rays->place[i]] : UINT32_MAX;
+        if (number < light->solid->triangle_count) {
             float p[3], n[3];
-            burnish_space_store(burnish_vec3_sub(point, burnish_vec3_loadf(light->eye)), p);
-            burnish_space_store(met_normal(light, triangle, point, face), n);
-            burnish_ray_tile_add(tile, light, at[i], UINT16_MAX, p, n, 2 * triangle);
+            find_met(rays, light, i, p, n);
+            burnish_ray_tile_add(tile, light, at[i], UINT16_MAX, p, n, 2 * number);
+        }
+    }
+}
+
+/* From the eye, what is seen at (x, y) at a depth, as burnish_rays says. */
+static burnish_vec3 seen_at(const burnish_rays *rays, double x, double y, double depth) {
+    const double q = depth * (double)rays->q_per_depth + (double)rays->q_constant;
+    double at[3];
+    for (int k = 0; k < 3; ++k) {
+        at[k] = ((double)rays->ray[k] + x * (double)rays->ray_x[k] + y * (double)rays->ray_y[k] +
+                 (1 - depth) * (double)rays->ray_depth[k]) / q;
+    }
+    return burnish_vec3_load(at);
+}
+
+void burnish_ray_tile_add_margin(burnish_ray_tile *tile, const burnish_ray_light *light,
+                                 const burnish_rays *from, const burnish_tile *place, int width,
+                                 int height) {
+    enum { EDGE = BURNISH_RAY_EDGE, MARGIN = BURNISH_RAY_MARGIN, SIZE = BURNISH_TILE_SIZE };
+    const burnish_vec3 eye = burnish_vec3_loadf(light->eye);
+    burnish_started_rays *rays = &tile->rays;
+    uint16_t at[BURNISH_OCCLUDED_MAX];
+    size_t count = 0;
+    for (int i = 0; i < BURNISH_RAY_PIXELS; ++i) {
+        const int column = i % EDGE - MARGIN, row = i / EDGE - MARGIN;
+        const int x = place->x + column, y = place->y + row;
+        const int is_own = column >= 0 && row >= 0 && column < SIZE && row < SIZE;
+        if (!is_own && x >= 0 && y >= 0 && x < width && y < height) {
+            const double right = x + 0.5 - width * 0.5, up = height * 0.5 - y - 0.5;
+            const burnish_vec3 start = seen_at(from, right, up, 1);
+            const burnish_vec3 along = burnish_vec3_normalize(
+                burnish_vec3_sub(seen_at(from, right, up, 0.5), start));
+            store_lane(burnish_vec3_add(start, eye), rays->origin, count);
+            store_lane(along, rays->direction, count);
+            rays->reach[count] = FAR;
+            at[count++] = (uint16_t)i;
+        }
+        if (count == BURNISH_OCCLUDED_MAX || (i + 1 == BURNISH_RAY_PIXELS && count > 0)) {
+            memset(rays->reach + count, 0, (BURNISH_OCCLUDED_MAX - count) * sizeof *rays->reach);
+            find_points(tile, light, at, count);
+            count = 0;
         }
     }
 }
 
 static burnish_ray_points ray_points(burnish_gathered_points *points) {
-    for (int k = 0; k < 9; ++k) {
-        memset(points->values[k] + points->count, 0, 16 * sizeof *points->values[k]);
+    float(*const values)[BURNISH_OCCLUDED_MAX + 16] = points->values;
+    for (int k = 0; k < BURNISH_RAY_VALUES; ++k) {
+        memset(values[k] + points->count, 0, 16 * sizeof *values[k]);
     }
-    return (burnish_ray_points){{points->values[0], points->values[1], points->values[2]},
-                                {points->values[3], points->values[4], points->values[5]},
-                                {points->values[6], points->values[7], points->values[8]},
+    return (burnish_ray_points){{values[0], values[1], values[2]},
+                                {values[3], values[4], values[5]},
+                                {values[6], values[7], values[8]},
+                                points->has_gloss ? values[BURNISH_RAY_GLOSS] : NULL,
+                                {values[BURNISH_RAY_BACK], values[BURNISH_RAY_BACK + 1],
+                                 values[BURNISH_RAY_BACK + 2]},
                                 points->count};
 }
 
@@ -225,44 +298,52 @@ static void cast_rays(burnish_gathered_points *points, const burnish_ray_light *
 
 /* ---- Light that comes over other surfaces ---- */
 
-/* What the surface of a triangle of the tree reflects. Pieces of masked ones are gray. */
-static void albedo_of(const burnish_ray_light *light, int32_t place, float albedo[3]) {
+/* What the surface of a triangle of the mesh reflects. Pieces of masked ones are gray. Returns its
+ * gloss. */
+static float albedo_of(const burnish_ray_light *light, size_t triangle, float albedo[3]) {
     const burnish_mesh_view *mesh = light->solid;
-    const size_t triangle = light->tree->numbers[place];
-    const int is_known = triangle < mesh->triangle_count;
-    const size_t material = is_known && mesh->triangle_materials ? mesh->triangle_materials[triangle] : 0;
-    for (int k = 0; k < 3; ++k) {
-        albedo[k] = is_known ? light->shaders[material].albedo[k] : 0.5f;
-        if (is_known && light->has_colors) {
-            float sum = 0;
-            for (size_t corner = 0; corner < 3; ++corner) {
-                sum += burnish_srgb_to_linear[mesh->colors[4 * (size_t)mesh->indices[3 * triangle + corner] + (size_t)k]];
-            }
-            albedo[k] *= sum / 3;
-        }
+    if (triangle >= mesh->triangle_count) {
+        albedo[0] = albedo[1] = albedo[2] = 0.5f;
+        return -1;
     }
+    const size_t material = mesh->triangle_materials ? mesh->triangle_materials[triangle] : 0;
+    const float gloss = gloss_of(light, material, 0);
+    for (size_t k = 0; k < 3; ++k) {
+        float sum = light->has_colors ? 0 : 3;
+        for (size_t corner = 0; corner < 3 && light->has_colors; ++corner) {
+            const size_t vertex = mesh->indices[3 * triangle + corner];
+            sum += burnish_srgb_to_linear[mesh->colors[4 * vertex + k]];
+        }
+        albedo[k] = sum / 3 *
+                    (gloss < 0 ? light->shaders[material].albedo[k]
+                               : light->reflecting[material].reflecting.reflectance[k]);
+    }
+    return gloss;
 }
 
 /* Brings the points together that rays have met. */
 static void gather_met(const burnish_started_rays *rays, const burnish_ray_light *light,
-                       size_t count, burnish_gathered_points *met) {
-    met->count = 0;
-    for (size_t i = 0; i < count; ++i) {
-        float face[3], albedo[3];
+                       const burnish_gathered_points *points, burnish_gathered_points *met) {
+    met->count = met->has_gloss = 0;
+    for (size_t i = 0; i < points->count; ++i) {
+        float position[3], normal[3], albedo[3];
         if (!(rays->hits[i] > 0)) {
             continue;
         }
         const size_t to = met->count++;
-        const burnish_vec3 along = {rays->direction[0][i], rays->direction[1][i],
-                                    rays->direction[2][i]};
-        burnish_space_store(met_face(light, rays->place[i], along), face);
-        albedo_of(light, rays->place[i], albedo);
+        const float gloss = albedo_of(light, light->tree->numbers[rays->place[i]], albedo);
+        const int is_smooth = gloss >= 0 || points->values[BURNISH_RAY_GLOSS][i] >= 0;
+        const burnish_vec3 face = find_met(rays, light, i, position, is_smooth ? normal : NULL);
+        const float of_face[3] = {(float)face.x, (float)face.y, (float)face.z};
         for (int k = 0; k < 3; ++k) {
-            met->values[k][to] = rays->origin[k][i] + rays->direction[k][i] * rays->distance[i] -
-                                 light->eye[k];
-            met->values[3 + k][to] = met->values[6 + k][to] = face[k];
+            met->values[k][to] = position[k];
+            met->values[3 + k][to] = is_smooth ? normal[k] : of_face[k];
+            met->values[6 + k][to] = of_face[k];
+            met->values[BURNISH_RAY_BACK + k][to] = -rays->direction[k][i];
             met->albedo[k][to] = albedo[k];
         }
+        met->values[BURNISH_RAY_GLOSS][to] = gloss;
+        met->has_gloss |= gloss >= 0;
         met->from[to] = (uint16_t)i;
     }
 }
@@ -277,8 +358,8 @@ static int bounced_sample(int sample, int turn) {
     return turned;
 }
 
-/* Adds to `light` of points what one ray to the sky of each brings over other surfaces; the kernel's
- * sums are of it. */
+/* Adds to `light` of points what one ray of each brings over other surfaces: to the sky, or mirrored.
+ * The kernel's sums are of it. */
 static void cast_sky(burnish_ray_tile *tile, burnish_gathered_points *points,
                      const burnish_ray_light *light, const burnish_render_ops *ops, int sample,
                      int bounce) {
@@ -287,53 +368,49 @@ static void cast_sky(burnish_ray_tile *tile, burnish_gathered_points *points,
     burnish_gathered_points *met = &tile->met[bounce];
     ops->sample_sky(light, &cast, sample, 1, &tile->rays, sums);
     if (bounce == BURNISH_RAY_BOUNCES) {
-        for (size_t i = 0; i < points->count; ++i) {
-            for (int k = 0; k < 3 && tile->rays.hits[i] > 0; ++k) {
-                points->light[k][i] += LAST_LIGHT * light->mean;
-            }
+        for (size_t i = 0; i < 3 * points->count; ++i) {
+            points->light[i % 3][i / 3] += tile->rays.hits[i / 3] * (LAST_LIGHT * light->mean);
         }
         return;
     }
-    gather_met(&tile->rays, light, points->count, met);
-    if (met->count == 0) {
-        return;
-    }
-    const int next = bounced_sample(sample, bounce);
+    gather_met(&tile->rays, light, points, met);
     memset(met->light, 0, sizeof met->light);
-    for (int lamp = -1; lamp < light->lamp_count; ++lamp) {
+    for (int lamp = -1; lamp < light->lamp_count && met->count > 0; ++lamp) {
         if (lamp < 0) {
-            cast_sky(tile, met, light, ops, next, bounce + 1);
+            cast_sky(tile, met, light, ops, bounced_sample(sample, bounce), bounce + 1);
         } else {
             cast_rays(met, light, ops, lamp, bounced_sample(sample, bounce + 3), 1);
         }
         for (size_t i = 0; i < met->count; ++i) {
-            for (int k = 0; k < 3; ++k) {
+            const int is_lit = lamp < 0 || met->values[BURNISH_RAY_GLOSS][i] < 0;
+            for (int k = 0; k < 3 && is_lit; ++k) {
                 met->light[k][i] += met->sums[1][i] - met->sums[2][i];
             }
         }
     }
-    for (size_t i = 0; i < met->count; ++i) {
-        for (int k = 0; k < 3; ++k) {
-            points->light[k][met->from[i]] += met->albedo[k][i] * met->light[k][i];
-        }
+    for (size_t i = 0; i < 3 * met->count; ++i) {
+        const int k = (int)(i % 3);
+        points->light[k][met->from[i / 3]] += met->albedo[k][i / 3] * met->light[k][i / 3];
     }
 }
 
-/* The rays of points to the sky: the first two of its sums, and light. */
+/* The rays of points to the sky, or mirrored: their sums, and light. */
 static void cast_skies(burnish_ray_tile *tile, burnish_gathered_points *points,
                        const burnish_ray_light *light, const burnish_render_ops *ops, int first,
                        int count) {
-    float sums[2][BURNISH_OCCLUDED_MAX] = {{0}};
+    float sums[3][BURNISH_OCCLUDED_MAX] = {{0}};
     memset(points->light, 0, sizeof points->light);
     for (int sample = first; sample < first + count; ++sample) {
         cast_sky(tile, points, light, ops, sample, 0);
         for (size_t i = 0; i < points->count; ++i) {
-            sums[0][i] += points->sums[1][i];
-            sums[1][i] += points->sums[2][i];
+            for (int k = 0; k < 3; ++k) {
+                sums[k][i] += points->sums[k][i];
+            }
         }
     }
-    memcpy(points->sums[1], sums[0], sizeof sums[0]);
-    memcpy(points->sums[2], sums[1], sizeof sums[1]);
+    for (int k = 0; k < 3; ++k) {
+        memcpy(points->sums[k], sums[k], sizeof sums[k]);
+    }
 }
 
 /* Where the sums of a lamp are; -1: of the sky. */
@@ -438,7 +515,7 @@ static void gather_pixels(const burnish_ray_tile *tile, int pixel, int batch,
                           burnish_gathered_points *points) {
     enum { BLOCKS = BURNISH_TILE_BLOCKS * BURNISH_TILE_BLOCKS, SIDE = BURNISH_TILE_BLOCKS };
     _Static_assert((int)BLOCKS <= (int)BURNISH_OCCLUDED_MAX, "a pixel of all blocks is a batch");
-    points->count = 0;
+    points->count = points->has_gloss = 0;
     for (int block = 0; block < (batch ? 2 * SIDE + 1 : BLOCKS); ++block) {
         const int column = !batch ? even_bits(block) : block < SIDE ? SIDE : block - SIDE;
         const int row = !batch ? even_bits(block >> 1) : block < SIDE ? block : SIDE;
@@ -451,7 +528,45 @@ static void gather_pixels(const burnish_ray_tile *tile, int pixel, int batch,
                 points->values[3 + k][points->count] = tile->normal[k][at];
                 points->values[6 + k][points->count] = tile->face[k][at];
             }
+            points->values[BURNISH_RAY_GLOSS][points->count] = -1;
             points->from[points->count++] = (uint16_t)at;
+        }
+    }
+}
+
+/* Casts the mirrored rays of a pattern's glossy pixels. */
+static void cast_mirrored(burnish_ray_tile *tile, const burnish_ray_light *light,
+                          const burnish_render_ops *ops, int pixel) {
+    const burnish_gathered_points *all = &tile->points;
+    burnish_gathered_points *points = &tile->glossy;
+    points->count = 0;
+    points->has_gloss = 1;
+    for (size_t i = 0; i < all->count; ++i) {
+        const size_t at = all->from[i], to = points->count;
+        if (tile->gloss[at] >= 0) {
+            burnish_vec3 back = burnish_vec3_loadf(light->viewer);
+            if (!light->is_parallel) {
+                back = (burnish_vec3){-tile->position[0][at], -tile->position[1][at],
+                                      -tile->position[2][at]};
+            }
+            back = burnish_vec3_normalize(back);
+            for (int k = 0; k < 9; ++k) {
+                points->values[k][to] = all->values[k][i];
+            }
+            points->values[BURNISH_RAY_BACK][to] = (float)back.x;
+            points->values[BURNISH_RAY_BACK + 1][to] = (float)back.y;
+            points->values[BURNISH_RAY_BACK + 2][to] = (float)back.z;
+            points->values[BURNISH_RAY_GLOSS][to] = tile->gloss[at];
+            points->from[points->count++] = (uint16_t)at;
+        }
+    }
+    if (points->count > 0) {
+        cast_skies(tile, points, light, ops, pixel * BURNISH_RAY_SAMPLES, BURNISH_RAY_SAMPLES);
+    }
+    for (size_t i = 0; i < points->count; ++i) {
+        tile->sums[BURNISH_RAY_MET][points->from[i]] = points->sums[0][i];
+        for (int k = 0; k < 3; ++k) {
+            tile->sums[BURNISH_RAY_MIRRORED + k][points->from[i]] = points->light[k][i];
         }
     }
 }
@@ -463,6 +578,7 @@ static void cast_pixels(burnish_ray_tile *tile, const burnish_ray_light *light,
     gather_pixels(tile, pixel, batch, points);
     if (light->has_sky) {
         cast_skies(tile, points, light, ops, pixel * BURNISH_RAY_SAMPLES, BURNISH_RAY_SAMPLES);
+        cast_mirrored(tile, light, ops, pixel);
     }
     for (size_t i = 0; i < points->count && light->has_sky; ++i) {
         for (int k = 0; k < 3; ++k) {
@@ -517,10 +633,12 @@ static float hidden_share(float around, float own, const float beside[3]) {
 static float gather_sums(const burnish_ray_tile *tile, const burnish_ray_light *light, int pixel,
                          const float p[3], const float n[3], float sums[BURNISH_RAY_SUMS]) {
     static const float tent[5] = {0.5f, 1, 1, 1, 0.5f};    /* each pattern once */
+    static const float of_mirror[5] = {0, 0.25f, 1, 0.25f, 0};
     static const float of_finer[5] = {0, 0.5f, 1, 0.5f, 0}; /* each finer one */
     const int column = burnish_pixel_x(pixel), row = burnish_pixel_y(pixel);
     const int sum_count = sums_of(light->lamp_count);
     float all = 0, beside[BURNISH_RAY_LAMPS_MAX][3] = {{0}};
+    const int is_mirror = tile->gloss[burnish_ray_place(column, row)] < SHARP;
     int own = -1;
     for (int i = 0; i < 25; ++i) {
         const int at = burnish_ray_place(column + i % 5 - 2, row + i / 5 - 2);
@@ -536,11 +654,15 @@ static float gather_sums(const burnish_ray_tile *tile, const burnish_ray_light *
         if (height < 1 && cosine > ALIKE) {
             const float weight = tent[i % 5] * tent[i / 5] * (1 - height * height) *
                                  ((cosine - ALIKE) / (1 - ALIKE));
-            for (int s = 0; s < sum_count; ++s) {
+            for (int s = BURNISH_RAY_BOUNCED; s < sum_count; ++s) {
                 sums[s] += weight * tile->sums[s][at];
             }
             all += weight;
             own = i == 12 ? at : own;
+            const float mirrored = is_mirror ? weight * of_mirror[i % 5] * of_mirror[i / 5] : weight;
+            for (int s = 0; s < BURNISH_RAY_BOUNCED && tile->gloss[at] >= 0; ++s) {
+                sums[s] += mirrored * (s < BURNISH_RAY_GLOSSY ? tile->sums[s][at] : 1);
+            }
             const float finer = weight * of_finer[i % 5] * of_finer[i / 5];
             for (int lamp = 0; lamp < light->lamp_count && finer > 0; ++lamp) {
                 beside[lamp][0] += finer * tile->sums[sums_of(lamp)][at];
@@ -601,8 +723,17 @@ static void set_seen(const burnish_ray_light *light, const float sums[BURNISH_RA
         }
     }
     scratch->open[0][i] = all > 0 ? 1 - light->strength * (hidden / all) : 1;
+    const float glossy = sums[BURNISH_RAY_GLOSSY] * BURNISH_RAY_SAMPLES;
+    const float part = glossy > 0 ? light->strength / glossy : 0;
+    /* what is mirrored is multiplied by what is seen of light from everywhere */
+    const float open = scratch->open[BURNISH_SEEN_LIGHT][i] > LEAST_SEEN ? scratch->open[0][i] : LEAST_SEEN;
+    if (glossy > 0) {
+        scratch->open[BURNISH_SEEN_CLEAR][i] = (1 - part * sums[BURNISH_RAY_MET]) / open;
+    }
     for (int k = 0; k < 3; ++k) {
-        scratch->bounced[k][i] = scale * light->tint[k] * sums[BURNISH_RAY_BOUNCED + k];
+        scratch->open[BURNISH_SEEN_MIRRORED + k][i] =
+            part * light->tint[k] * sums[BURNISH_RAY_MIRRORED + k] / open;
+        scratch->open[BURNISH_SEEN_BOUNCED + k][i] = scale * light->tint[k] * sums[BURNISH_RAY_BOUNCED + k];
     }
 }
 
@@ -616,8 +747,10 @@ void burnish_ray_tile_look(burnish_ray_tile *tile, const burnish_ray_light *ligh
     for (int i = 0; i < count; ++i) {
         const int pixel = points->pixels ? points->pixels[i] : points->first_pixel + i;
         float p[3], n[3], sums[BURNISH_RAY_SUMS] = {0};
-        scratch->open[0][i] = scratch->open[1][i] = lit[i] = 1;
-        scratch->bounced[0][i] = scratch->bounced[1][i] = scratch->bounced[2][i] = 0;
+        for (int k = 0; k < BURNISH_SEEN_VALUES; ++k) {
+            scratch->open[k][i] = k == BURNISH_SEEN_LIGHT || k == BURNISH_SEEN_CLEAR;
+        }
+        lit[i] = 1;
         if (points->shown && points->shown[i] < 0) {
             continue;
         }

@@ -7,8 +7,9 @@
 
 #include "burnish/light.h"
 #include "burnish/mesh.h"
-#include "raster/tile_layout.h"
+#include "raster/tile.h"
 #include "rays/rays.h"
+#include "render/light/area.h"
 #include "render/light/occlusion_share.h"
 #include "render/render_ops.h"
 #include "shading/shader.h"
@@ -40,6 +41,9 @@ typedef struct burnish_ray_light {
     const burnish_mesh_view *mesh; /* that is drawn, with the ids of the raster */
     const burnish_mesh_view *solid; /* of whose triangles the tree's are the first */
     const burnish_kernels_shader *shaders; /* one per material */
+    const burnish_area_material *reflecting; /* the same; NULL: nothing is mirrored */
+    int is_parallel;                         /* 1: all rays from the camera come from the viewer */
+    float viewer[3];                         /* toward it */
     int has_colors;                        /* 1: vertices have some */
     float center[3], scale;        /* (position - center) scale is in the raster's space */
     float eye[3];                  /* the camera, in the raster's space */
@@ -51,9 +55,12 @@ typedef struct burnish_ray_light {
     /* across, across and along a normal: evenly by cosine, all of them, a pattern's, and those of the
      * first patterns */
     float directions[BURNISH_RAY_DIRECTIONS_MAX][3];
-    /* what arrives from directions: rows of an octahedron that is folded out, whose corners are at
-     * those of the table */
+    /* GGX's normals: across, for alpha 1, where they are 1 along */
+    float lobe[BURNISH_RAY_DIRECTIONS_MAX][2];
+    /* what arrives from directions without lamps, and with them: rows of an octahedron that is folded
+     * out, whose corners are at those of the table */
     float light[BURNISH_RAY_LIGHT_EDGE * BURNISH_RAY_LIGHT_EDGE];
+    float all_light[BURNISH_RAY_LIGHT_EDGE * BURNISH_RAY_LIGHT_EDGE];
     /* where rays meet lamps: evenly over a square and a disc, in its half sides */
     float places[2][BURNISH_RAY_DIRECTIONS_MAX][2];
     burnish_ray_lamp lamps[BURNISH_AREA_LIGHT_MAX + 1 /* and a directional one */];
@@ -66,6 +73,8 @@ burnish_vec3 burnish_ray_light_direction(int i);
 /* Points that cast rays: from the eye, unit normals, and the normals of their triangles. */
 typedef struct burnish_ray_points {
     const float *position[3], *normal[3], *face[3];
+    const float *gloss, *back[3]; /* alpha, or below 0: matt; NULL: all are; and unit vectors against
+                                     the rays that came, of glossy ones */
     size_t count; /* at most BURNISH_OCCLUDED_MAX, readable up to the next multiple of 16 */
 } burnish_ray_points;
 
@@ -78,20 +87,27 @@ typedef struct burnish_started_rays {
     burnish_ray_batch batch;
 } burnish_started_rays;
 
+/* Values of points: position, normal, face, then */
+enum { BURNISH_RAY_GLOSS = 9, BURNISH_RAY_BACK = 10, BURNISH_RAY_VALUES = 13 };
+
 /* Points that are brought together to cast rays. */
 typedef struct burnish_gathered_points {
-    float values[9][BURNISH_OCCLUDED_MAX + 16]; /* as burnish_ray_points has them */
+    float values[BURNISH_RAY_VALUES][BURNISH_OCCLUDED_MAX + 16]; /* burnish_ray_points' */
     float sums[3][BURNISH_OCCLUDED_MAX + 16];   /* what the rays' kernel wrote */
     float light[3][BURNISH_OCCLUDED_MAX];       /* that comes over other surfaces */
     float albedo[3][BURNISH_OCCLUDED_MAX];      /* of points on surfaces that rays have met */
     uint16_t from[BURNISH_OCCLUDED_MAX];        /* whose points they are */
     size_t count;
+    int has_gloss; /* 0: all are matt */
 } burnish_gathered_points;
 
-/* What rays of a point found: light that comes over other surfaces, for a surface in the mean light's
- * colour; then of the sky, and of each lamp, the light without what hides it, and what is hidden of it.
+/* What rays of a point found: what is mirrored of other surfaces, on how many rays, and whether any are
+ * mirrored; light that comes over other surfaces, all in the mean light's colour; then of the sky, and of each lamp, the light without what hides it, and what is hidden of it.
  */
 enum {
+    BURNISH_RAY_MIRRORED,
+    BURNISH_RAY_MET = 3,
+    BURNISH_RAY_GLOSSY,
     BURNISH_RAY_BOUNCED,
     BURNISH_RAY_SKY = BURNISH_RAY_BOUNCED + 3,
     BURNISH_RAY_LAMPS = BURNISH_RAY_SKY + 2,
@@ -104,10 +120,11 @@ typedef struct burnish_ray_tile {
     float position[3][BURNISH_RAY_PIXELS], normal[3][BURNISH_RAY_PIXELS];
     float face[3][BURNISH_RAY_PIXELS];
     float sums[BURNISH_RAY_SUMS][BURNISH_RAY_PIXELS];
+    float gloss[BURNISH_RAY_PIXELS];    /* alpha of GGX by which it mirrors; below 0: it does not */
     uint16_t rank[BURNISH_RAY_PIXELS];  /* of the point that stands for the pixel; 0: none */
     uint16_t cut[BURNISH_RAY_PIXELS];   /* bit i: some rays to lamp i are not in its light */
     uint16_t mixed[BURNISH_RAY_PIXELS]; /* bit i: rays to lamp i did not agree; there are more */
-    burnish_gathered_points points, met[BURNISH_RAY_BOUNCES]; /* scratch */
+    burnish_gathered_points points, glossy, met[BURNISH_RAY_BOUNCES]; /* scratch */
     burnish_started_rays rays;
 } burnish_ray_tile;
 
@@ -128,18 +145,17 @@ void burnish_ray_tile_add(burnish_ray_tile *tile, const burnish_ray_light *light
                           uint16_t rank, const float position[3], const float normal[3],
                           uint32_t triangle);
 
-/* Adds the points of pixels that rays from the camera find.
- *   ends  x, y, z of each ray's start and of a point on it, from the eye; at: the pixels' places */
-void burnish_ray_tile_find(burnish_ray_tile *tile, const burnish_ray_light *light,
-                           float *const ends[2][3], const uint16_t *at, size_t count);
+/* Adds the pixels around a tile that count for its own: rays from the camera find them. */
+void burnish_ray_tile_add_margin(burnish_ray_tile *tile, const burnish_ray_light *light,
+                                 const burnish_rays *from, const burnish_tile *place, int width,
+                                 int height);
 
 /* Casts the rays of all pixels. */
 void burnish_ray_tile_cast(burnish_ray_tile *tile, const burnish_ray_light *light,
                            const burnish_render_ops *ops);
 
-/* Writes what points see of the light to scratch->open[0], what comes over other surfaces to
- * scratch->bounced, and what they see of the lamp that is kept apart to lit. Points that no pixel around
- * stands for cast rays of their own. */
+/* Writes what points see to scratch->open, and of the lamp that is kept apart to lit. Points that no
+ * pixel around stands for cast rays of their own, and mirror nothing. */
 void burnish_ray_tile_look(burnish_ray_tile *tile, const burnish_ray_light *light,
                            const burnish_render_ops *ops, const burnish_share_points *points,
                            int count, burnish_share_scratch *scratch, float *lit);

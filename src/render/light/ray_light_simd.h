@@ -9,8 +9,8 @@
 /* Longer than the mesh is wide, from anywhere near it. */
 #define RAY_REACH 64.0f
 
-/* The table's light from a direction, bilinear. */
-BURNISH_INLINE vf light_from(const burnish_ray_light *light, const vf d[3]) {
+/* A table's light from a direction, bilinear. */
+BURNISH_INLINE vf light_from(const float *table, const vf d[3]) {
     enum { EDGE = BURNISH_RAY_LIGHT_EDGE };
     const vf zero = vf_set(0.0f), one = vf_set(1.0f), half = vf_set(0.5f * (EDGE - 1));
     vf at[2], size[2], share[2];
@@ -35,8 +35,8 @@ BURNISH_INLINE vf light_from(const burnish_ray_light *light, const vf d[3]) {
     }
     vf row[2];
     for (int k = 0; k < 2; ++k) {
-        const vf left = vf_gather(light->light + k * EDGE, index);
-        const vf right = vf_gather(light->light + k * EDGE + 1, index);
+        const vf left = vf_gather(table + k * EDGE, index);
+        const vf right = vf_gather(table + k * EDGE + 1, index);
         row[k] = vf_add(left, vf_mul(vf_sub(right, left), share[0]));
     }
     return vf_add(row[0], vf_mul(vf_sub(row[1], row[0]), share[1]));
@@ -95,6 +95,29 @@ static void add_rays(const burnish_ray_light *light, burnish_started_rays *rays,
     }
 }
 
+/* Turns the directions of glossy points, and their light: mirrored at one of GGX's normals.
+ *   across  of the points' normals n */
+BURNISH_INLINE void mirror_rays(const burnish_ray_light *light, const burnish_ray_points *points,
+                                size_t i, const float lobe[2], const vf n[3],
+                                vf across[2][3], vf d[3], vf *arriving) {
+    const vf alpha = vf_load(points->gloss + i), zero = vf_set(0.0f);
+    const vm is_matt = vf_greater(zero, alpha);
+    vf back[3], h[3], mirrored[3];
+    for (int k = 0; k < 3; ++k) {
+        const vf side = vf_add(vf_mul(across[0][k], vf_set(lobe[0])),
+                               vf_mul(across[1][k], vf_set(lobe[1])));
+        back[k] = vf_load(points->back[k] + i);
+        h[k] = vf_add(n[k], vf_mul(alpha, side));
+    }
+    const vf squared = vf_max(ray_dot(h, h), vf_set(0x1p-40f));
+    const vf twice = vf_div(vf_mul(vf_set(2.0f), ray_dot(back, h)), squared);
+    for (int k = 0; k < 3; ++k) {
+        mirrored[k] = vf_sub(vf_mul(twice, h[k]), back[k]);
+        d[k] = vf_blend(is_matt, d[k], mirrored[k]);
+    }
+    *arriving = vf_blend(is_matt, *arriving, light_from(light->all_light, mirrored));
+}
+
 static void sample_sky(const burnish_ray_light *light, const burnish_ray_points *points, int first,
                        int count, burnish_started_rays *met, float *const sums[3]) {
     burnish_started_rays own, *const rays = met ? met : &own;
@@ -114,8 +137,11 @@ static void sample_sky(const burnish_ray_light *light, const burnish_ray_points 
                               vf_mul(n[k], vf_set(local[2])));
             }
             const vm has_normal = vf_greater(squared, vf_set(0.5f)); /* without: open */
-            set_rays(points, i, d, light_from(light, d), vf_and_mask(has_normal, vf_set(RAY_REACH)),
-                     rays);
+            vf arriving = light_from(light->light, d);
+            if (points->gloss) {
+                mirror_rays(light, points, i, light->lobe[sample], n, across, d, &arriving);
+            }
+            set_rays(points, i, d, arriving, vf_and_mask(has_normal, vf_set(RAY_REACH)), rays);
         }
         add_rays(light, rays, 0, met != NULL, sums);
     }
