@@ -299,15 +299,16 @@ static void cast_rays(burnish_gathered_points *points, const burnish_ray_light *
 /* ---- Light that comes over other surfaces ---- */
 
 /* What the surface of a triangle of the mesh reflects. Pieces of masked ones are gray. Returns its
- * gloss. */
-static float albedo_of(const burnish_ray_light *light, size_t triangle, float albedo[3]) {
+ * gloss: matt surfaces see all as matt, for few rays find what others mirror. */
+static float albedo_of(const burnish_ray_light *light, size_t triangle, int is_mirrored,
+                       float albedo[3]) {
     const burnish_mesh_view *mesh = light->solid;
     if (triangle >= mesh->triangle_count) {
         albedo[0] = albedo[1] = albedo[2] = 0.5f;
         return -1;
     }
     const size_t material = mesh->triangle_materials ? mesh->triangle_materials[triangle] : 0;
-    const float gloss = gloss_of(light, material, 0);
+    const float gloss = is_mirrored ? gloss_of(light, material, 0) : -1;
     for (size_t k = 0; k < 3; ++k) {
         float sum = light->has_colors ? 0 : 3;
         for (size_t corner = 0; corner < 3 && light->has_colors; ++corner) {
@@ -331,8 +332,9 @@ static void gather_met(const burnish_started_rays *rays, const burnish_ray_light
             continue;
         }
         const size_t to = met->count++;
-        const float gloss = albedo_of(light, light->tree->numbers[rays->place[i]], albedo);
-        const int is_smooth = gloss >= 0 || points->values[BURNISH_RAY_GLOSS][i] >= 0;
+        const int is_smooth = points->values[BURNISH_RAY_GLOSS][i] >= 0;
+        const float gloss =
+            albedo_of(light, light->tree->numbers[rays->place[i]], is_smooth, albedo);
         const burnish_vec3 face = find_met(rays, light, i, position, is_smooth ? normal : NULL);
         const float of_face[3] = {(float)face.x, (float)face.y, (float)face.z};
         for (int k = 0; k < 3; ++k) {
@@ -375,6 +377,7 @@ static void cast_sky(burnish_ray_tile *tile, burnish_gathered_points *points,
     }
     gather_met(&tile->rays, light, points, met);
     memset(met->light, 0, sizeof met->light);
+    memset(met->met, 0, sizeof met->met);
     for (int lamp = -1; lamp < light->lamp_count && met->count > 0; ++lamp) {
         if (lamp < 0) {
             cast_sky(tile, met, light, ops, bounced_sample(sample, bounce), bounce + 1);
@@ -389,8 +392,9 @@ static void cast_sky(burnish_ray_tile *tile, burnish_gathered_points *points,
         }
     }
     for (size_t i = 0; i < 3 * met->count; ++i) {
-        const int k = (int)(i % 3);
-        points->light[k][met->from[i / 3]] += met->albedo[k][i / 3] * met->light[k][i / 3];
+        const float albedo = met->albedo[i % 3][i / 3];
+        points->light[i % 3][met->from[i / 3]] += albedo * met->light[i % 3][i / 3];
+        points->met[i % 3][met->from[i / 3]] += albedo;
     }
 }
 
@@ -400,6 +404,7 @@ static void cast_skies(burnish_ray_tile *tile, burnish_gathered_points *points,
                        int count) {
     float sums[3][BURNISH_OCCLUDED_MAX] = {{0}};
     memset(points->light, 0, sizeof points->light);
+    memset(points->met, 0, sizeof points->met);
     for (int sample = first; sample < first + count; ++sample) {
         cast_sky(tile, points, light, ops, sample, 0);
         for (size_t i = 0; i < points->count; ++i) {
@@ -500,6 +505,11 @@ static int even_bits(int i) {
     return (i & 1) | (i >> 1 & 2) | (i >> 2 & 4) | (i >> 3 & 8);
 }
 
+/* The pattern of a block's pixel for what it mirrors: finer ones lie side by side. */
+static int mirror_pattern(int pixel) {
+    return pixel % 2 + pixel / 4 % 2 * 2 + pixel % 4 / 2 * 4 + pixel / 8 * 8;
+}
+
 /* The pattern of a block's pixel to lamps. The four that make one finer are two pixels apart, so that
  * fine ones alternate from pixel to pixel; to the sky, they lie side by side. */
 static int lamp_pattern(int pixel) {
@@ -561,12 +571,18 @@ static void cast_mirrored(burnish_ray_tile *tile, const burnish_ray_light *light
         }
     }
     if (points->count > 0) {
-        cast_skies(tile, points, light, ops, pixel * BURNISH_RAY_SAMPLES, BURNISH_RAY_SAMPLES);
+        cast_skies(tile, points, light, ops, mirror_pattern(pixel) * BURNISH_RAY_SAMPLES,
+                   BURNISH_RAY_SAMPLES);
     }
     for (size_t i = 0; i < points->count; ++i) {
-        tile->sums[BURNISH_RAY_MET][points->from[i]] = points->sums[0][i];
+        const size_t at = points->from[i];
+        tile->sums[BURNISH_RAY_MET][at] = points->sums[0][i];
+        tile->sums[BURNISH_RAY_GLOSSY][at] = BURNISH_RAY_SAMPLES;
+        tile->sums[BURNISH_RAY_SENT][at] = tile->sums[BURNISH_RAY_SENT + 1][at] = 0;
         for (int k = 0; k < 3; ++k) {
-            tile->sums[BURNISH_RAY_MIRRORED + k][points->from[i]] = points->light[k][i];
+            tile->sums[BURNISH_RAY_MIRRORED + k][at] = points->met[k][i];
+            tile->sums[BURNISH_RAY_SENT][at] += points->light[k][i];
+            tile->sums[BURNISH_RAY_SENT + 1][at] += points->met[k][i];
         }
     }
 }
@@ -633,7 +649,7 @@ static float hidden_share(float around, float own, const float beside[3]) {
 static float gather_sums(const burnish_ray_tile *tile, const burnish_ray_light *light, int pixel,
                          const float p[3], const float n[3], float sums[BURNISH_RAY_SUMS]) {
     static const float tent[5] = {0.5f, 1, 1, 1, 0.5f};    /* each pattern once */
-    static const float of_mirror[5] = {0, 0.25f, 1, 0.25f, 0};
+    
     static const float of_finer[5] = {0, 0.5f, 1, 0.5f, 0}; /* each finer one */
     const int column = burnish_pixel_x(pixel), row = burnish_pixel_y(pixel);
     const int sum_count = sums_of(light->lamp_count);
@@ -654,14 +670,15 @@ static float gather_sums(const burnish_ray_tile *tile, const burnish_ray_light *
         if (height < 1 && cosine > ALIKE) {
             const float weight = tent[i % 5] * tent[i / 5] * (1 - height * height) *
                                  ((cosine - ALIKE) / (1 - ALIKE));
-            for (int s = BURNISH_RAY_BOUNCED; s < sum_count; ++s) {
+            const int is_glossy = tile->gloss[at] >= 0;
+            for (int s = is_glossy ? BURNISH_RAY_SENT : BURNISH_RAY_BOUNCED; s < sum_count; ++s) {
                 sums[s] += weight * tile->sums[s][at];
             }
             all += weight;
             own = i == 12 ? at : own;
-            const float mirrored = is_mirror ? weight * of_mirror[i % 5] * of_mirror[i / 5] : weight;
-            for (int s = 0; s < BURNISH_RAY_BOUNCED && tile->gloss[at] >= 0; ++s) {
-                sums[s] += mirrored * (s < BURNISH_RAY_GLOSSY ? tile->sums[s][at] : 1);
+            const float mirrored = is_mirror ? weight * of_finer[i % 5] * of_finer[i / 5] : weight;
+            for (int s = 0; s < BURNISH_RAY_SENT && is_glossy; ++s) {
+                sums[s] += mirrored * tile->sums[s][at];
             }
             const float finer = weight * of_finer[i % 5] * of_finer[i / 5];
             for (int lamp = 0; lamp < light->lamp_count && finer > 0; ++lamp) {
@@ -723,8 +740,9 @@ static void set_seen(const burnish_ray_light *light, const float sums[BURNISH_RA
         }
     }
     scratch->open[0][i] = all > 0 ? 1 - light->strength * (hidden / all) : 1;
-    const float glossy = sums[BURNISH_RAY_GLOSSY] * BURNISH_RAY_SAMPLES;
+    const float glossy = sums[BURNISH_RAY_GLOSSY], *sent = sums + BURNISH_RAY_SENT;
     const float part = glossy > 0 ? light->strength / glossy : 0;
+    const float mirrored = sent[1] > 0 ? part * (sent[0] / sent[1]) : 0;
     /* what is mirrored is multiplied by what is seen of light from everywhere */
     const float open = scratch->open[BURNISH_SEEN_LIGHT][i] > LEAST_SEEN ? scratch->open[0][i] : LEAST_SEEN;
     if (glossy > 0) {
@@ -732,7 +750,7 @@ static void set_seen(const burnish_ray_light *light, const float sums[BURNISH_RA
     }
     for (int k = 0; k < 3; ++k) {
         scratch->open[BURNISH_SEEN_MIRRORED + k][i] =
-            part * light->tint[k] * sums[BURNISH_RAY_MIRRORED + k] / open;
+            mirrored * light->tint[k] * sums[BURNISH_RAY_MIRRORED + k] / open;
         scratch->open[BURNISH_SEEN_BOUNCED + k][i] = scale * light->tint[k] * sums[BURNISH_RAY_BOUNCED + k];
     }
 }

@@ -95,20 +95,23 @@ typedef struct burnish_gathered_points {
     float values[BURNISH_RAY_VALUES][BURNISH_OCCLUDED_MAX + 16]; /* burnish_ray_points' */
     float sums[3][BURNISH_OCCLUDED_MAX + 16];   /* what the rays' kernel wrote */
     float light[3][BURNISH_OCCLUDED_MAX];       /* that comes over other surfaces */
+    float met[3][BURNISH_OCCLUDED_MAX];         /* albedos of these, added up */
     float albedo[3][BURNISH_OCCLUDED_MAX];      /* of points on surfaces that rays have met */
     uint16_t from[BURNISH_OCCLUDED_MAX];        /* whose points they are */
     size_t count;
     int has_gloss; /* 0: all are matt */
 } burnish_gathered_points;
 
-/* What rays of a point found: what is mirrored of other surfaces, on how many rays, and whether any are
- * mirrored; light that comes over other surfaces, all in the mean light's colour; then of the sky, and of each lamp, the light without what hides it, and what is hidden of it.
+/* What rays of a point found: of mirrored ones the albedos, how many met a surface, and how many there
+ * are, then what these send and the albedos once more, of all colours; light that comes over other
+ * surfaces, all in the mean light's colour; then of the sky, and of each lamp, the light without what hides it, and what is hidden of it.
  */
 enum {
     BURNISH_RAY_MIRRORED,
     BURNISH_RAY_MET = 3,
     BURNISH_RAY_GLOSSY,
-    BURNISH_RAY_BOUNCED,
+    BURNISH_RAY_SENT,
+    BURNISH_RAY_BOUNCED = BURNISH_RAY_SENT + 2,
     BURNISH_RAY_SKY = BURNISH_RAY_BOUNCED + 3,
     BURNISH_RAY_LAMPS = BURNISH_RAY_SKY + 2,
     BURNISH_RAY_LAMPS_MAX = BURNISH_AREA_LIGHT_MAX + 1, /* and a directional one */
