@@ -37,7 +37,7 @@ static void measure(const burnish_ray_tree *tree, burnish_isa isa) {
     for (size_t batch = 0; batch < BATCHES; ++batch) {
         aim(tree, batch);
         const clock_t start = clock();
-        burnish_ray_ops_for(isa)->find_hits(tree, &rays, hits);
+        burnish_ray_ops_for(isa)->find_hits(tree, &rays, hits, NULL, NULL);
         ticks += (double)(clock() - start);
     }
     printf("%s: %.1f million rays per second\n", burnish_isa_name(isa),

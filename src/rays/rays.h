@@ -52,13 +52,11 @@ typedef struct burnish_ray_batch {
 /* The kernels, compiled once per instruction set (rays_isa.c). */
 typedef struct burnish_ray_ops {
     /* 1 for each ray that hits a triangle, from either side, else 0. A ray along an edge hits its
-     * triangles; between triangles that share corners none passes. Writes whole vectors. */
-    void (*find_hits)(const burnish_ray_tree *tree, const burnish_ray_batch *rays, float *hits);
-
-    /* The same, and the nearest triangle of each that hits one, by its place in the tree, and how far
-     * it is. Of the others nothing is written but what is there. */
-    void (*find_nearest)(const burnish_ray_tree *tree, const burnish_ray_batch *rays, float *hits,
-                         float *distances, int32_t *places);
+     * triangles; between triangles that share corners none passes. Writes whole vectors.
+     *   distances, places  of the nearest that each hits: how far it is, and its place in the tree;
+     *                      NULL: not wanted */
+    void (*find_hits)(const burnish_ray_tree *tree, const burnish_ray_batch *rays, float *hits,
+                      float *distances, int32_t *places);
 } burnish_ray_ops;
 
 const burnish_ray_ops *burnish_ray_ops_for(burnish_isa isa);

@@ -3,5 +3,4 @@
 #include "rays/rays_simd.h"
 
 extern const burnish_ray_ops BURNISH_ISA_TABLE(burnish_ray_ops, VECTOR_WORD);
-const burnish_ray_ops BURNISH_ISA_TABLE(burnish_ray_ops, VECTOR_WORD) = {
-    .find_hits = find_hits, .find_nearest = find_nearest};
+const burnish_ray_ops BURNISH_ISA_TABLE(burnish_ray_ops, VECTOR_WORD) = {.find_hits = find_hits};

@@ -107,8 +107,8 @@ typedef struct waiting_part {
 BURNISH_INLINE int is_turned(const burnish_ray_node *node, const float way[3]) {
     float side = 0;
     for (int k = 0; k < 3; ++k) {
-        side += way[k] * ((node->low[1][k] + node->high[1][k]) -
-                          (node->low[0][k] + node->high[0][k]));
+        side +=
+            way[k] * ((node->low[1][k] + node->high[1][k]) - (node->low[0][k] + node->high[0][k]));
     }
     return side < 0;
 }
@@ -150,7 +150,8 @@ BURNISH_INLINE vm find_lanes(const burnish_ray_tree *tree, ray_lanes *ray, vm la
         const burnish_ray_node *node = &tree->nodes[part.child];
         for (int i = 0, last = nearest && is_turned(node, way) ? 0 : 1; i < 2; ++i, last = !last) {
             vf entry;
-            const vm met = vm_and(present, hits_box(ray, node->low[last], node->high[last], &entry));
+            const vm met =
+                vm_and(present, hits_box(ray, node->low[last], node->high[last], &entry));
             if (vm_any(met)) {
                 stack[depth++] = (waiting_part){node->child[last], node->count[last], met, entry};
             }
@@ -159,30 +160,24 @@ BURNISH_INLINE vm find_lanes(const burnish_ray_tree *tree, ray_lanes *ray, vm la
     return vm_and_not(all, alive);
 }
 
-static void find_hits(const burnish_ray_tree *tree, const burnish_ray_batch *rays, float *hits) {
+static void find_hits(const burnish_ray_tree *tree, const burnish_ray_batch *rays, float *hits,
+                      float *distances, int32_t *places) {
     for (size_t i = 0; i < rays->count; i += LANES) {
         vm hit = vf_greater(vf_set(0.0f), vf_set(1.0f));
         if (tree->triangle_count > 0) {
             ray_lanes ray = load_rays(rays, i);
-            hit = find_lanes(tree, &ray, vf_greater(ray.reach, vf_set(0.0f)), NULL, NULL);
-        }
-        vf_store(hits + i, vf_and_mask(hit, vf_set(1.0f)));
-    }
-}
-
-static void find_nearest(const burnish_ray_tree *tree, const burnish_ray_batch *rays, float *hits,
-                         float *distances, int32_t *places) {
-    for (size_t i = 0; i < rays->count; i += LANES) {
-        vm hit = vf_greater(vf_set(0.0f), vf_set(1.0f));
-        if (tree->triangle_count > 0) {
+            const vm is_cast = vf_greater(ray.reach, vf_set(0.0f));
             const size_t leader = i / 16 * 16;
             const float way[3] = {rays->direction[0][leader], rays->direction[1][leader],
                                   rays->direction[2][leader]};
-            ray_lanes ray = load_rays(rays, i);
             vi nearest = vi_set(0);
-            hit = find_lanes(tree, &ray, vf_greater(ray.reach, vf_set(0.0f)), way, &nearest);
-            vf_store(distances + i, ray.reach);
-            vi_store(places + i, nearest);
+            if (distances) {
+                hit = find_lanes(tree, &ray, is_cast, way, &nearest);
+                vf_store(distances + i, ray.reach);
+                vi_store(places + i, nearest);
+            } else {
+                hit = find_lanes(tree, &ray, is_cast, NULL, NULL);
+            }
         }
         vf_store(hits + i, vf_and_mask(hit, vf_set(1.0f)));
     }

@@ -16,7 +16,7 @@
 enum {
     BURNISH_SEEN_LIGHT,
     BURNISH_SEEN_SKY,
-    BURNISH_SEEN_BOUNCED = 1, /* three: light that comes over other surfaces */
+    BURNISH_SEEN_BOUNCED = 1,  /* three: light that comes over other surfaces */
     BURNISH_SEEN_MIRRORED = 4, /* three: what other surfaces send along the lobe */
     BURNISH_SEEN_CLEAR = 7,    /* of what is mirrored from everywhere else */
     BURNISH_SEEN_VALUES,

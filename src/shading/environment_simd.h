@@ -393,8 +393,8 @@ BURNISH_INLINE void environment_vector(const burnish_environment_constants *cons
     }
     environment_add_near(each, i, diffuse, specular);
     for (int k = 0; k < 3 && each->clear; ++k) {
-        specular[k] = vf_add(vf_mul(specular[k], vf_load(each->clear + i)),
-                             vf_load(each->mirrored[k] + i));
+        specular[k] =
+            vf_add(vf_mul(specular[k], vf_load(each->clear + i)), vf_load(each->mirrored[k] + i));
     }
     if (material->reflects) {
         environment_reflectance(&surface, at.n_dot_v, once, again);

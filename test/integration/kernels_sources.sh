@@ -16,7 +16,7 @@ kernel_sources() {
 # renderer_sources SOURCE_DIR: those of the kernels are among them
 renderer_sources() {
     find "$1/src/simd" "$1/src/raster" "$1/src/shading" "$1/src/environment" "$1/src/rays" -name '*.c' ! -name '*_isa.c'
-    for file in surface area area_near attributes bounces caps finishes transmission masks occlusion_share ray_light render_ops texture_levels texture_points texture_reduce texture_shade; do
+    for file in surface area area_near attributes bounces caps finishes transmission masks occlusion_share ray_cast ray_light render_ops texture_levels texture_points texture_reduce texture_shade; do
         find "$1/src/render" -name "$file.c"
     done
     echo "$1"/src/mesh/data/*.c

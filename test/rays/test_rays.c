@@ -52,11 +52,11 @@ static void cast(const burnish_ray_tree *tree, int count) {
                                     {directions[0], directions[1], directions[2]},
                                     reaches,
                                     (size_t)count};
-    burnish_ray_ops_for(BURNISH_ISA_SCALAR)->find_hits(tree, &rays, hits);
+    burnish_ray_ops_for(BURNISH_ISA_SCALAR)->find_hits(tree, &rays, hits, NULL, NULL);
     for (int isa = BURNISH_ISA_SCALAR + 1; isa < BURNISH_ISA_COUNT; ++isa) {
         const burnish_ray_ops *ops = burnish_ray_ops_for((burnish_isa)isa);
         if (ops && burnish_isa_available() >> isa & 1) {
-            ops->find_hits(tree, &rays, others);
+            ops->find_hits(tree, &rays, others, NULL, NULL);
             CHECK(memcmp(hits, others, (size_t)count * sizeof *hits) == 0, "%s differs",
                   burnish_isa_name((burnish_isa)isa));
         }

@@ -226,15 +226,15 @@ static void find_lamps(const burnish_call *d, burnish_ray_light *light) {
         burnish_ray_light_add(light, &lamps[i]);
     }
     if (has_first_shadow(d)) {
-        burnish_area_light sun = {
-            .shape = BURNISH_AREA_DISC, .is_distant = 1, .is_two_sided = 1};
+        burnish_area_light sun = {.shape = BURNISH_AREA_DISC, .is_distant = 1, .is_two_sided = 1};
         const burnish_vec3 across = burnish_space_across(d->view.key);
         burnish_vec3_store(d->view.key, sun.center);
         burnish_vec3_store(burnish_vec3_scale(across, SUN_RADIUS), sun.half_u);
         burnish_vec3_store(burnish_vec3_scale(burnish_vec3_cross(d->view.key, across), SUN_RADIUS),
                            sun.half_v);
         for (int k = 0; k < 3; ++k) {
-            sun.color[k] = (float)((double)d->options->lights[0].color[k] / (SUN_RADIUS * SUN_RADIUS));
+            sun.color[k] =
+                (float)((double)d->options->lights[0].color[k] / (SUN_RADIUS * SUN_RADIUS));
         }
         light->key = light->lamp_count;
         burnish_ray_light_add(light, &sun);

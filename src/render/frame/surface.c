@@ -210,8 +210,8 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
             burnish_shade_layers(shading, &part, &brought, scratch->texture.brought, material,
                                  scratch, light);
             if (shading->occlusion) {
-                burnish_add_bounces(shading, &brought, size, material, group->open, &scratch->texture,
-                                    light);
+                burnish_add_bounces(shading, &brought, size, material, group->open,
+                                    &scratch->texture, light);
             }
             shading->ops->scatter_material(material, batch->material, size, group->starts, shaded,
                                            rgb);

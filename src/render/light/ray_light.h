@@ -38,20 +38,21 @@ typedef struct burnish_ray_lamp {
 typedef struct burnish_ray_light {
     const burnish_ray_tree *tree;
     const burnish_ray_ops *ops;
-    const burnish_mesh_view *mesh; /* that is drawn, with the ids of the raster */
-    const burnish_mesh_view *solid; /* of whose triangles the tree's are the first */
-    const burnish_kernels_shader *shaders; /* one per material */
+    const burnish_mesh_view *mesh;           /* that is drawn, with the ids of the raster */
+    const burnish_mesh_view *solid;          /* of whose triangles the tree's are the first */
+    const burnish_kernels_shader *shaders;   /* one per material */
     const burnish_area_material *reflecting; /* the same; NULL: nothing is mirrored */
     int is_parallel;                         /* 1: all rays from the camera come from the viewer */
     float viewer[3];                         /* toward it */
-    int has_colors;                        /* 1: vertices have some */
-    float center[3], scale;        /* (position - center) scale is in the raster's space */
-    float eye[3];                  /* the camera, in the raster's space */
-    float offset;                  /* off a surface's triangle */
-    float near;                    /* points so far from a point's plane are of another surface */
-    int has_sky;                   /* 0: only shadows of lamps are wanted */
-    float strength;                /* [0, 1]: what a point that sees no sky loses of its light */
-    float mean, tint[3]; /* light of the surfaces that are seen, on white: luminance, and its colour */
+    int has_colors;                          /* 1: vertices have some */
+    float center[3], scale; /* (position - center) scale is in the raster's space */
+    float eye[3];           /* the camera, in the raster's space */
+    float offset;           /* off a surface's triangle */
+    float near;             /* points so far from a point's plane are of another surface */
+    int has_sky;            /* 0: only shadows of lamps are wanted */
+    float strength;         /* [0, 1]: what a point that sees no sky loses of its light */
+    float mean,
+        tint[3]; /* light of the surfaces that are seen, on white: luminance, and its colour */
     /* across, across and along a normal: evenly by cosine, all of them, a pattern's, and those of the
      * first patterns */
     float directions[BURNISH_RAY_DIRECTIONS_MAX][3];
@@ -73,7 +74,8 @@ burnish_vec3 burnish_ray_light_direction(int i);
 /* Points that cast rays: from the eye, unit normals, and the normals of their triangles. */
 typedef struct burnish_ray_points {
     const float *position[3], *normal[3], *face[3];
-    const float *gloss, *back[3]; /* alpha, or below 0: matt; NULL: all are; and unit vectors against
+    const float *gloss,
+        *back[3]; /* alpha, or below 0: matt; NULL: all are; and unit vectors against
                                      the rays that came, of glossy ones */
     size_t count; /* at most BURNISH_OCCLUDED_MAX, readable up to the next multiple of 16 */
 } burnish_ray_points;
@@ -93,11 +95,11 @@ enum { BURNISH_RAY_GLOSS = 9, BURNISH_RAY_BACK = 10, BURNISH_RAY_VALUES = 13 };
 /* Points that are brought together to cast rays. */
 typedef struct burnish_gathered_points {
     float values[BURNISH_RAY_VALUES][BURNISH_OCCLUDED_MAX + 16]; /* burnish_ray_points' */
-    float sums[3][BURNISH_OCCLUDED_MAX + 16];   /* what the rays' kernel wrote */
-    float light[3][BURNISH_OCCLUDED_MAX];       /* that comes over other surfaces */
-    float met[3][BURNISH_OCCLUDED_MAX];         /* albedos of these, added up */
-    float albedo[3][BURNISH_OCCLUDED_MAX];      /* of points on surfaces that rays have met */
-    uint16_t from[BURNISH_OCCLUDED_MAX];        /* whose points they are */
+    float sums[3][BURNISH_OCCLUDED_MAX + 16];                    /* what the rays' kernel wrote */
+    float light[3][BURNISH_OCCLUDED_MAX];  /* that comes over other surfaces */
+    float met[3][BURNISH_OCCLUDED_MAX];    /* albedos of these, added up */
+    float albedo[3][BURNISH_OCCLUDED_MAX]; /* of points on surfaces that rays have met */
+    uint16_t from[BURNISH_OCCLUDED_MAX];   /* whose points they are */
     size_t count;
     int has_gloss; /* 0: all are matt */
 } burnish_gathered_points;
@@ -127,9 +129,22 @@ typedef struct burnish_ray_tile {
     uint16_t rank[BURNISH_RAY_PIXELS];  /* of the point that stands for the pixel; 0: none */
     uint16_t cut[BURNISH_RAY_PIXELS];   /* bit i: some rays to lamp i are not in its light */
     uint16_t mixed[BURNISH_RAY_PIXELS]; /* bit i: rays to lamp i did not agree; there are more */
-    burnish_gathered_points points, glossy, met[BURNISH_RAY_BOUNCES]; /* scratch */
+    burnish_gathered_points points, met[BURNISH_RAY_BOUNCES]; /* scratch */
     burnish_started_rays rays;
 } burnish_ray_tile;
+
+/* Normals of one surface differ by less than this cosine's angle, 26 degrees. */
+#define BURNISH_RAY_ALIKE 0.9f
+
+/* Where the sums of a lamp are; -1: of the sky. */
+static inline int burnish_ray_sums(int lamp) {
+    return BURNISH_RAY_LAMPS + 2 * lamp;
+}
+
+/* The share of a lamp that is hidden from a pixel. */
+static inline float burnish_ray_share(const burnish_ray_tile *tile, int at, int sums) {
+    return tile->sums[sums][at] > 0 ? tile->sums[sums + 1][at] / tile->sums[sums][at] : 0;
+}
 
 /* Where the pixel is that is so many to the right of and below the tile's first. */
 static inline int burnish_ray_place(int x, int y) {
@@ -158,8 +173,8 @@ void burnish_ray_tile_cast(burnish_ray_tile *tile, const burnish_ray_light *ligh
                            const burnish_render_ops *ops);
 
 /* Writes what points see to scratch->open, and of the lamp that is kept apart to lit. Points that no
- * pixel around stands for cast rays of their own, and mirror nothing. */
-void burnish_ray_tile_look(burnish_ray_tile *tile, const burnish_ray_light *light,
+ * pixel around stands for get what all of these found. */
+void burnish_ray_tile_look(const burnish_ray_tile *tile, const burnish_ray_light *light,
                            const burnish_render_ops *ops, const burnish_share_points *points,
                            int count, burnish_share_scratch *scratch, float *lit);
 

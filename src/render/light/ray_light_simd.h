@@ -80,11 +80,8 @@ BURNISH_INLINE void set_rays(const burnish_ray_points *points, size_t i, const v
 /* Adds how many rays are hidden, or bring light, their light, and what is hidden of it. */
 static void add_rays(const burnish_ray_light *light, burnish_started_rays *rays, int is_lamp,
                      int is_nearest, float *const sums[3]) {
-    if (!is_nearest) {
-        light->ops->find_hits(light->tree, &rays->batch, rays->hits);
-    } else {
-        light->ops->find_nearest(light->tree, &rays->batch, rays->hits, rays->distance, rays->place);
-    }
+    light->ops->find_hits(light->tree, &rays->batch, rays->hits, is_nearest ? rays->distance : NULL,
+                          rays->place);
     for (size_t i = 0; i < rays->batch.count; i += LANES) {
         const vf all = vf_load(rays->light + i), hit = vf_load(rays->hits + i);
         const vf lights = vf_and_mask(vf_greater(all, vf_set(0.0f)), vf_set(1.0f));
@@ -98,21 +95,25 @@ static void add_rays(const burnish_ray_light *light, burnish_started_rays *rays,
 /* Turns the directions of glossy points, and their light: mirrored at one of GGX's normals.
  *   across  of the points' normals n */
 BURNISH_INLINE void mirror_rays(const burnish_ray_light *light, const burnish_ray_points *points,
-                                size_t i, const float lobe[2], const vf n[3],
-                                vf across[2][3], vf d[3], vf *arriving) {
+                                size_t i, const float lobe[2], const vf n[3], vf across[2][3],
+                                vf d[3], vf *arriving) {
     const vf alpha = vf_load(points->gloss + i), zero = vf_set(0.0f);
     const vm is_matt = vf_greater(zero, alpha);
     vf back[3], h[3], mirrored[3];
     for (int k = 0; k < 3; ++k) {
-        const vf side = vf_add(vf_mul(across[0][k], vf_set(lobe[0])),
-                               vf_mul(across[1][k], vf_set(lobe[1])));
-        back[k] = vf_load(points->back[k] + i);
+        const vf side =
+            vf_add(vf_mul(across[0][k], vf_set(lobe[0])), vf_mul(across[1][k], vf_set(lobe[1])));
+        back[k] = vf_load(points->back[k] + i); /* of any length */
         h[k] = vf_add(n[k], vf_mul(alpha, side));
     }
     const vf squared = vf_max(ray_dot(h, h), vf_set(0x1p-40f));
     const vf twice = vf_div(vf_mul(vf_set(2.0f), ray_dot(back, h)), squared);
     for (int k = 0; k < 3; ++k) {
         mirrored[k] = vf_sub(vf_mul(twice, h[k]), back[k]);
+    }
+    const vf unit = vector_inverse_sqrt(vf_max(ray_dot(mirrored, mirrored), vf_set(0x1p-40f)));
+    for (int k = 0; k < 3; ++k) {
+        mirrored[k] = vf_mul(mirrored[k], unit);
         d[k] = vf_blend(is_matt, d[k], mirrored[k]);
     }
     *arriving = vf_blend(is_matt, *arriving, light_from(light->all_light, mirrored));
