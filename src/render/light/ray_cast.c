@@ -26,20 +26,31 @@ enum { MORE_PATTERNS = 4 };
 
 /* ---- A tile ---- */
 
-/* The normal of a triangle, on the side of another one; that one if it has no area. */
-static burnish_vec3 face_of(const burnish_mesh_view *mesh, uint32_t triangle, burnish_vec3 normal) {
-    burnish_vec3 corner[3];
-    if (triangle / 2 >= mesh->triangle_count) {
-        return normal;
+/* The normal of triangle `number`, on the side of another one; that one if it has no area. Its corners,
+ * in the raster's space, unless there are none. Returns whether there are. */
+static int find_face(const burnish_ray_light *light, const burnish_mesh_view *mesh, size_t number,
+                     burnish_vec3 corner[3], burnish_vec3 *normal) {
+    const burnish_vec3 center = burnish_vec3_loadf(light->center);
+    for (size_t k = 0; k < 3 && number < mesh->triangle_count; ++k) {
+        const float *at = mesh->positions + 3 * (size_t)mesh->indices[3 * number + k];
+        corner[k] = burnish_vec3_scale(burnish_vec3_sub(burnish_vec3_loadf(at), center),
+                                       (double)light->scale);
     }
-    for (size_t k = 0; k < 3; ++k) {
-        const size_t vertex = mesh->indices[3 * (size_t)(triangle / 2) + k];
-        corner[k] = burnish_vec3_loadf(mesh->positions + 3 * vertex);
+    if (number >= mesh->triangle_count) {
+        return 0;
     }
     const burnish_vec3 face = burnish_vec3_cross(burnish_vec3_sub(corner[1], corner[0]),
                                                  burnish_vec3_sub(corner[2], corner[0]));
-    const double length = burnish_vec3_length(face), side = burnish_vec3_dot(face, normal);
-    return length > 0 ? burnish_vec3_scale(face, (side < 0 ? -1 : 1) / length) : normal;
+    const double length = burnish_vec3_length(face), side = burnish_vec3_dot(face, *normal);
+    *normal = length > 0 ? burnish_vec3_scale(face, (side < 0 ? -1 : 1) / length) : *normal;
+    return 1;
+}
+
+/* Writes a vector to three arrays, `step` apart. */
+static void store_lane(burnish_vec3 v, float *to, size_t step) {
+    to[0] = (float)v.x;
+    to[step] = (float)v.y;
+    to[2 * step] = (float)v.z;
 }
 
 /* The alpha of GGX by which a surface mirrors others, for the camera or for another surface; below 0: it
@@ -63,93 +74,63 @@ void burnish_ray_tile_add(burnish_ray_tile *tile, const burnish_ray_light *light
     if (rank <= tile->rank[at]) {
         return;
     }
-    const burnish_vec3 along = burnish_vec3_loadf(normal);
-    const double length = burnish_vec3_length(along);
-    const burnish_vec3 unit = length > 0 ? burnish_vec3_scale(along, 1 / length) : along;
-    const burnish_vec3 face = face_of(light->mesh, triangle, unit);
-    const float of_normal[3] = {(float)unit.x, (float)unit.y, (float)unit.z};
-    const float of_face[3] = {(float)face.x, (float)face.y, (float)face.z};
+    const uint16_t *materials = light->mesh->triangle_materials;
     const size_t number = triangle / 2;
-    const int is_known = number < light->mesh->triangle_count;
+    const burnish_vec3 unit = burnish_vec3_normalize(burnish_vec3_loadf(normal));
+    burnish_vec3 corner[3], face = unit;
+    const int is_known = find_face(light, light->mesh, number, corner, &face);
     tile->rank[at] = rank;
-    tile->gloss[at] = -1;
-    if (is_known) {
-        const uint16_t *materials = light->mesh->triangle_materials;
-        tile->gloss[at] = gloss_of(light, materials ? materials[number] : 0, 1);
-    }
+    tile->gloss[at] = is_known ? gloss_of(light, materials ? materials[number] : 0, 1) : -1;
     for (int k = 0; k < 3; ++k) {
         tile->position[k][at] = position[k];
-        tile->normal[k][at] = of_normal[k];
-        tile->face[k][at] = of_face[k];
     }
+    store_lane(unit, tile->normal[0] + at, BURNISH_RAY_PIXELS);
+    store_lane(face, tile->face[0] + at, BURNISH_RAY_PIXELS);
 }
 
-static void store_lane(burnish_vec3 v, float (*to)[BURNISH_OCCLUDED_MAX], size_t i) {
-    to[0][i] = (float)v.x;
-    to[1][i] = (float)v.y;
-    to[2][i] = (float)v.z;
-}
-
-/* The normal of the mesh where a ray meets one of its triangles, on the side of the face that it meets.
- */
-static burnish_vec3 met_normal(const burnish_ray_light *light, size_t triangle, burnish_vec3 point,
-                               burnish_vec3 face) {
-    const burnish_mesh_view *mesh = light->solid;
-    const burnish_vec3 center = burnish_vec3_loadf(light->center);
-    burnish_vec3 corner[3], normal = {0, 0, 0};
-    for (size_t k = 0; k < 3; ++k) {
-        const float *at = mesh->positions + 3 * (size_t)mesh->indices[3 * triangle + k];
-        corner[k] = burnish_vec3_sub(
-            burnish_vec3_scale(burnish_vec3_sub(burnish_vec3_loadf(at), center), light->scale),
-            point);
+/* Where ray i meets a triangle, from the eye, the normal there, if it is wanted, and the triangle's.
+ * Returns the triangle's number. */
+static size_t find_met(const burnish_started_rays *rays, const burnish_ray_light *light, size_t i,
+                       float position[3], float *normal, float face[3]) {
+    const size_t number = light->tree->numbers[rays->place[i]];
+    burnish_vec3 corner[3], point = {rays->origin[0][i], rays->origin[1][i], rays->origin[2][i]};
+    burnish_vec3 back = {-rays->direction[0][i], -rays->direction[1][i], -rays->direction[2][i]};
+    point = burnish_vec3_sub(point, burnish_vec3_scale(back, (double)rays->distance[i]));
+    const int is_known = find_face(light, light->solid, number, corner, &back);
+    burnish_vec3 sum = is_known ? (burnish_vec3){0, 0, 0} : back;
+    for (size_t k = 0; k < 3 && is_known && normal; ++k) {
+        /* by the area of what lies across from the corner; below 0 where the back is seen, whose
+         * normals are to be turned */
+        const size_t vertex = light->solid->indices[3 * number + k];
+        const burnish_vec3 across =
+            burnish_vec3_cross(burnish_vec3_sub(corner[(k + 1) % 3], point),
+                               burnish_vec3_sub(corner[(k + 2) % 3], point));
+        sum = burnish_vec3_add(
+            sum, burnish_vec3_scale(burnish_vec3_loadf(light->solid->normals + 3 * vertex),
+                                    burnish_vec3_dot(across, back)));
     }
-    for (size_t k = 0; k < 3; ++k) { /* by the areas of what lies across from the corners */
-        const size_t vertex = mesh->indices[3 * triangle + k];
-        const double part =
-            burnish_vec3_dot(burnish_vec3_cross(corner[(k + 1) % 3], corner[(k + 2) % 3]), face);
-        normal = burnish_vec3_add(
-            normal, burnish_vec3_scale(burnish_vec3_loadf(mesh->normals + 3 * vertex), part));
-    }
-    /* parts are below 0 where the face is seen from behind, as the normals are to be turned */
-    return burnish_vec3_normalize(normal);
-}
-
-/* Where ray i meets a triangle, from the eye, and the normal there, if it is wanted. Returns the
- * triangle's. */
-static burnish_vec3 find_met(const burnish_started_rays *rays, const burnish_ray_light *light,
-                             size_t i, float position[3], float *normal) {
-    const uint32_t number = light->tree->numbers[rays->place[i]];
-    const burnish_vec3 along = {rays->direction[0][i], rays->direction[1][i],
-                                rays->direction[2][i]};
-    const burnish_vec3 from = {rays->origin[0][i], rays->origin[1][i], rays->origin[2][i]};
-    const burnish_vec3 point = burnish_vec3_add(from, burnish_vec3_scale(along, rays->distance[i]));
-    const burnish_vec3 face = face_of(light->solid, 2 * number, burnish_vec3_scale(along, -1));
     burnish_space_store(burnish_vec3_sub(point, burnish_vec3_loadf(light->eye)), position);
+    burnish_space_store(back, face);
     if (normal) {
-        const int is_known = number < light->solid->triangle_count;
-        burnish_space_store(is_known ? met_normal(light, number, point, face) : face, normal);
+        burnish_space_store(burnish_vec3_normalize(sum), normal);
     }
-    return face;
+    return number;
 }
 
 /* Casts the rays of count pixels that are known by them alone, and adds what they show. */
 static void find_points(burnish_ray_tile *tile, const burnish_ray_light *light, const uint16_t *at,
                         size_t count) {
     burnish_started_rays *rays = &tile->rays;
-    for (int k = 0; k < 3; ++k) {
-        rays->batch.origin[k] = rays->origin[k];
-        rays->batch.direction[k] = rays->direction[k];
-    }
-    rays->batch.reach = rays->reach;
-    rays->batch.count = count;
-    light->ops->find_hits(light->tree, &rays->batch, rays->hits, rays->distance, rays->place);
+    const burnish_ray_batch batch = {{rays->origin[0], rays->origin[1], rays->origin[2]},
+                                     {rays->direction[0], rays->direction[1], rays->direction[2]},
+                                     rays->reach,
+                                     count};
+    light->ops->find_hits(light->tree, &batch, rays->hits, rays->distance, rays->place);
     for (size_t i = 0; i < count; ++i) {
-        const uint32_t number =
-            rays->hits[i] > 0 ? light->tree->numbers[rays->place[i]] : UINT32_MAX;
+        float p[3], n[3], face[3];
+        const size_t number = rays->hits[i] > 0 ? find_met(rays, light, i, p, n, face) : SIZE_MAX;
         if (number < light->solid->triangle_count) {
-            float p[3], n[3];
-            find_met(rays, light, i, p, n);
-            burnish_ray_tile_add(tile, light, at[i], UINT16_MAX, p, n, 2 * number);
+            burnish_ray_tile_add(tile, light, at[i], UINT16_MAX, p, n, 2 * (uint32_t)number);
         }
     }
 }
@@ -183,8 +164,8 @@ void burnish_ray_tile_add_margin(burnish_ray_tile *tile, const burnish_ray_light
             const burnish_vec3 start = seen_at(from, right, up, 1);
             const burnish_vec3 along =
                 burnish_vec3_normalize(burnish_vec3_sub(seen_at(from, right, up, 0.5), start));
-            store_lane(burnish_vec3_add(start, eye), rays->origin, count);
-            store_lane(along, rays->direction, count);
+            store_lane(burnish_vec3_add(start, eye), rays->origin[0] + count, BURNISH_OCCLUDED_MAX);
+            store_lane(along, rays->direction[0] + count, BURNISH_OCCLUDED_MAX);
             rays->reach[count] = FAR;
             at[count++] = (uint16_t)i;
         }
@@ -249,20 +230,18 @@ static void gather_met(const burnish_started_rays *rays, const burnish_ray_light
                        const burnish_gathered_points *points, burnish_gathered_points *met) {
     met->count = met->has_gloss = 0;
     for (size_t i = 0; i < points->count; ++i) {
-        float position[3], normal[3], albedo[3];
+        float position[3], normal[3], face[3], albedo[3];
         if (!(rays->hits[i] > 0)) {
             continue;
         }
         const size_t to = met->count++;
         const int is_smooth = points->values[BURNISH_RAY_GLOSS][i] >= 0;
-        const float gloss =
-            albedo_of(light, light->tree->numbers[rays->place[i]], is_smooth, albedo);
-        const burnish_vec3 face = find_met(rays, light, i, position, is_smooth ? normal : NULL);
-        const float of_face[3] = {(float)face.x, (float)face.y, (float)face.z};
+        const size_t number = find_met(rays, light, i, position, is_smooth ? normal : NULL, face);
+        const float gloss = albedo_of(light, number, is_smooth, albedo);
         for (int k = 0; k < 3; ++k) {
             met->values[k][to] = position[k];
-            met->values[3 + k][to] = is_smooth ? normal[k] : of_face[k];
-            met->values[6 + k][to] = of_face[k];
+            met->values[3 + k][to] = is_smooth ? normal[k] : face[k];
+            met->values[6 + k][to] = face[k];
             met->values[BURNISH_RAY_BACK + k][to] = -rays->direction[k][i];
             met->albedo[k][to] = albedo[k];
         }
@@ -373,45 +352,6 @@ static int is_mixed(const burnish_ray_tile *tile, int at, int sums) {
     return is_mixed;
 }
 
-/* Casts the rays of a pattern's pixels to a lamp. */
-static void cast_to_lamp(burnish_ray_tile *tile, const burnish_ray_light *light,
-                         const burnish_render_ops *ops, int lamp, int pattern,
-                         burnish_gathered_points *points) {
-    cast_rays(points, light, ops, lamp, pattern * BURNISH_RAY_SAMPLES, BURNISH_RAY_SAMPLES);
-    for (size_t i = 0; i < points->count; ++i) {
-        store_sums(tile, points, i, lamp, 1);
-        tile->cut[points->from[i]] |=
-            (uint16_t)((points->sums[0][i] < BURNISH_RAY_SAMPLES) << lamp);
-    }
-}
-
-/* Casts more where a pattern's rays do not agree. */
-static void refine_lamp(burnish_ray_tile *tile, const burnish_ray_light *light,
-                        const burnish_render_ops *ops, int lamp, int pattern,
-                        const burnish_gathered_points *points) {
-    burnish_gathered_points mixed;
-    mixed.count = 0;
-    for (size_t i = 0; i < points->count; ++i) {
-        if (tile->mixed[points->from[i]] >> lamp & 1) {
-            for (int k = 0; k < 9; ++k) {
-                mixed.values[k][mixed.count] = points->values[k][i];
-            }
-            mixed.from[mixed.count++] = points->from[i];
-        }
-    }
-    if (mixed.count > 0) {
-        cast_rays(&mixed, light, ops, lamp,
-                  pattern / MORE_PATTERNS * MORE_PATTERNS * BURNISH_RAY_SAMPLES,
-                  MORE_PATTERNS * BURNISH_RAY_SAMPLES);
-    }
-    for (size_t i = 0; i < mixed.count; ++i) {
-        store_sums(tile, &mixed, i, lamp, 1.0f / MORE_PATTERNS);
-        if (mixed.sums[0][i] < MORE_PATTERNS * BURNISH_RAY_SAMPLES) {
-            tile->cut[mixed.from[i]] |= (uint16_t)(1u << lamp);
-        }
-    }
-}
-
 /* Every other bit of i. */
 static int even_bits(int i) {
     return (i & 1) | (i >> 1 & 2) | (i >> 2 & 4) | (i >> 3 & 8);
@@ -429,16 +369,18 @@ static int lamp_pattern(int pixel) {
     return x / 2 + y / 2 * 2 + x % 2 * 4 + y % 2 * 8;
 }
 
-enum { BATCHES = 2 /* of a pixel of all blocks, with those in the margin */ };
+enum { ALL = -2, GLOSSY, BATCHES = 2 /* of a pixel of all blocks, with those in the margin */ };
 
 /* Brings pixel `pixel` of all blocks together, in squares: their rays stay together. The last of 17 in a
- * row or column are a batch of their own. */
-static void gather_pixels(const burnish_ray_tile *tile, const burnish_ray_light *light, int pixel,
-                          int batch, int is_glossy, burnish_gathered_points *points) {
+ * row or column are a batch of their own.
+ *   which  ALL, GLOSSY or a lamp: those where its rays are mixed */
+static void gather_pixels(burnish_ray_tile *tile, const burnish_ray_light *light, int pixel,
+                          int batch, int which) {
     enum { BLOCKS = BURNISH_TILE_BLOCKS * BURNISH_TILE_BLOCKS, SIDE = BURNISH_TILE_BLOCKS };
     _Static_assert((int)BLOCKS <= (int)BURNISH_OCCLUDED_MAX, "a pixel of all blocks is a batch");
+    burnish_gathered_points *points = &tile->points;
     points->count = 0;
-    points->has_gloss = is_glossy;
+    points->has_gloss = which == GLOSSY;
     for (int block = 0; block < (batch ? 2 * SIDE + 1 : BLOCKS); ++block) {
         const int column = !batch ? even_bits(block) : block < SIDE ? SIDE : block - SIDE;
         const int row = !batch ? even_bits(block >> 1) : block < SIDE ? block : SIDE;
@@ -446,7 +388,8 @@ static void gather_pixels(const burnish_ray_tile *tile, const burnish_ray_light 
         const int at =
             burnish_ray_place(column * 4 + x - (x < 2 ? 0 : 4), row * 4 + y - (y < 2 ? 0 : 4));
         const size_t to = points->count;
-        if (tile->rank[at] == 0 || (is_glossy && tile->gloss[at] < 0)) {
+        if (tile->rank[at] == 0 || (which == GLOSSY && tile->gloss[at] < 0) ||
+            (which >= 0 && !(tile->mixed[at] >> which & 1))) {
             continue;
         }
         for (int k = 0; k < 3; ++k) {
@@ -456,7 +399,7 @@ static void gather_pixels(const burnish_ray_tile *tile, const burnish_ray_light 
             points->values[BURNISH_RAY_BACK + k][to] =
                 light->is_parallel ? light->viewer[k] : -tile->position[k][at];
         }
-        points->values[BURNISH_RAY_GLOSS][to] = is_glossy ? tile->gloss[at] : -1;
+        points->values[BURNISH_RAY_GLOSS][to] = which == GLOSSY ? tile->gloss[at] : -1;
         points->from[points->count++] = (uint16_t)at;
     }
 }
@@ -465,7 +408,7 @@ static void gather_pixels(const burnish_ray_tile *tile, const burnish_ray_light 
 static void cast_mirrored(burnish_ray_tile *tile, const burnish_ray_light *light,
                           const burnish_render_ops *ops, int pixel, int batch) {
     burnish_gathered_points *points = &tile->points;
-    gather_pixels(tile, light, pixel, batch, 1, points);
+    gather_pixels(tile, light, pixel, batch, GLOSSY);
     if (points->count > 0) {
         cast_skies(tile, points, light, ops, mirror_pattern(pixel) * BURNISH_RAY_SAMPLES,
                    BURNISH_RAY_SAMPLES);
@@ -483,6 +426,22 @@ static void cast_mirrored(burnish_ray_tile *tile, const burnish_ray_light *light
     }
 }
 
+/* Casts rays of the pixels to a lamp. */
+static void cast_to_lamp(burnish_ray_tile *tile, const burnish_ray_light *light,
+                         const burnish_render_ops *ops, int lamp, int pattern, int patterns) {
+    const burnish_gathered_points *points = &tile->points;
+    const int count = patterns * BURNISH_RAY_SAMPLES;
+    if (points->count > 0) {
+        cast_rays(&tile->points, light, ops, lamp,
+                  pattern / patterns * patterns * BURNISH_RAY_SAMPLES, count);
+    }
+    for (size_t i = 0; i < points->count; ++i) {
+        const int is_cut = points->sums[0][i] < (float)count;
+        store_sums(tile, points, i, lamp, 1.0f / (float)patterns);
+        tile->cut[points->from[i]] |= (uint16_t)(is_cut << lamp);
+    }
+}
+
 /* Casts the first rays of pixel `pixel` of all blocks. */
 static void cast_pixels(burnish_ray_tile *tile, const burnish_ray_light *light,
                         const burnish_render_ops *ops, int pixel, int batch) {
@@ -490,7 +449,7 @@ static void cast_pixels(burnish_ray_tile *tile, const burnish_ray_light *light,
     if (light->has_sky) {
         cast_mirrored(tile, light, ops, pixel, batch);
     }
-    gather_pixels(tile, light, pixel, batch, 0, points);
+    gather_pixels(tile, light, pixel, batch, ALL);
     if (light->has_sky) {
         cast_skies(tile, points, light, ops, pixel * BURNISH_RAY_SAMPLES, BURNISH_RAY_SAMPLES);
     }
@@ -502,7 +461,7 @@ static void cast_pixels(burnish_ray_tile *tile, const burnish_ray_light *light,
     }
     for (int lamp = 0; lamp < light->lamp_count; ++lamp) {
         if (is_wanted(light, lamp)) {
-            cast_to_lamp(tile, light, ops, lamp, lamp_pattern(pixel), points);
+            cast_to_lamp(tile, light, ops, lamp, lamp_pattern(pixel), 1);
         }
     }
 }
@@ -522,10 +481,10 @@ void burnish_ray_tile_cast(burnish_ray_tile *tile, const burnish_ray_light *ligh
             tile->mixed[at] |= (uint16_t)(is_mixed(tile, at, burnish_ray_sums(lamp)) << lamp);
         }
     }
-    for (int i = 0; i < BURNISH_BLOCK_PIXELS * BATCHES && light->lamp_count > 0; ++i) {
-        gather_pixels(tile, light, i / BATCHES, i % BATCHES, 0, &tile->points);
+    for (int i = 0; i < BURNISH_BLOCK_PIXELS * BATCHES; ++i) {
         for (int lamp = 0; lamp < light->lamp_count; ++lamp) {
-            refine_lamp(tile, light, ops, lamp, lamp_pattern(i / BATCHES), &tile->points);
+            gather_pixels(tile, light, i / BATCHES, i % BATCHES, lamp);
+            cast_to_lamp(tile, light, ops, lamp, lamp_pattern(i / BATCHES), MORE_PATTERNS);
         }
     }
 }
