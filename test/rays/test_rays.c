@@ -12,6 +12,8 @@ static uint64_t state;
 static float positions[9 * TRIANGLES_MAX];
 static uint32_t indices[3 * TRIANGLES_MAX];
 static float origins[3][RAYS], directions[3][RAYS], reaches[RAYS], hits[RAYS], others[RAYS];
+static float distances[2][RAYS];
+static int32_t places[2][RAYS];
 
 static burnish_status build(burnish_ray_tree *tree, size_t vertices, size_t triangles, int threads,
                             double most_work) {
@@ -52,13 +54,19 @@ static void cast(const burnish_ray_tree *tree, int count) {
                                     {directions[0], directions[1], directions[2]},
                                     reaches,
                                     (size_t)count};
-    burnish_ray_ops_for(BURNISH_ISA_SCALAR)->find_hits(tree, &rays, hits, NULL, NULL);
+    const burnish_ray_ops *scalar = burnish_ray_ops_for(BURNISH_ISA_SCALAR);
+    scalar->find_hits(tree, &rays, hits, distances[0], places[0]);
+    scalar->find_hits(tree, &rays, others, NULL, NULL);
+    CHECK(memcmp(hits, others, (size_t)count * sizeof *hits) == 0, "hits differ from nearest");
     for (int isa = BURNISH_ISA_SCALAR + 1; isa < BURNISH_ISA_COUNT; ++isa) {
         const burnish_ray_ops *ops = burnish_ray_ops_for((burnish_isa)isa);
         if (ops && burnish_isa_available() >> isa & 1) {
             ops->find_hits(tree, &rays, others, NULL, NULL);
-            CHECK(memcmp(hits, others, (size_t)count * sizeof *hits) == 0, "%s differs",
-                  burnish_isa_name((burnish_isa)isa));
+            ops->find_hits(tree, &rays, others, distances[1], places[1]);
+            CHECK(memcmp(hits, others, (size_t)count * sizeof *hits) == 0 &&
+                      memcmp(distances[0], distances[1], (size_t)count * sizeof **distances) == 0 &&
+                      memcmp(places[0], places[1], (size_t)count * sizeof **places) == 0,
+                  "%s differs", burnish_isa_name((burnish_isa)isa));
         }
     }
 }
@@ -66,7 +74,7 @@ static void cast(const burnish_ray_tree *tree, int count) {
 /* ---- Against double precision ---- */
 
 /* How surely ray i hits a triangle: below 0 by how much it misses. */
-static double certainty(int i, const float *c) {
+static double certainty(int i, const float *c, double *at) {
     double p[3][3], least = INFINITY, most = -INFINITY, sides[3], depth = 0, sum = 0;
     const double d[3] = {(double)directions[0][i], (double)directions[1][i],
                          (double)directions[2][i]};
@@ -83,6 +91,7 @@ static double certainty(int i, const float *c) {
         sum += sides[k];
     }
     const double inside = fmax(least, -most), distance = depth / sum;
+    *at = distance;
     return fmin(inside, fmin(distance, (double)reaches[i] - distance) * fabs(sum));
 }
 
@@ -111,10 +120,14 @@ static void test_random(int triangles, double size) {
     }
     cast(&tree, RAYS / 4);
     for (int i = 0; i < RAYS / 4; ++i) {
-        double best = -INFINITY;
+        double best = -INFINITY, nearest = 4, at;
         for (int t = 0; t < triangles; ++t) {
-            best = fmax(best, certainty(i, positions + 9 * t));
+            const double sure = certainty(i, positions + 9 * t, &at);
+            nearest = sure > 1e-5 && at < nearest ? at : nearest;
+            best = fmax(best, sure);
         }
+        CHECK(!(hits[i] > 0) || (double)distances[0][i] < nearest + 1e-5, "ray %d: %g, not %g", i,
+              (double)distances[0][i], nearest);
         unsure += fabs(best) < 1e-5;
         hit += best > 0;
         CHECK(fabs(best) < 1e-5 || hits[i] == (float)(best > 0), "ray %d: hit %g, surely %g", i,

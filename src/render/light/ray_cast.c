@@ -15,8 +15,9 @@ enum { MORE_PATTERNS = 4 };
 /* Longer than the way from the camera through the mesh. */
 #define FAR 1e6f
 
-/* Of the mean light, what surfaces get that no rays are cast from. */
-#define LAST_LIGHT 0.25f
+/* Of the mean light, what surfaces get that no rays are cast from; their colour counts as that of those
+ * to which they send it. */
+#define LAST_LIGHT 0.6f
 
 /* Metals reflect more along their normal. */
 #define METAL 0.2f
@@ -251,12 +252,12 @@ static void gather_met(const burnish_started_rays *rays, const burnish_ray_light
     }
 }
 
-/* The sample of a bounce that goes with a sample: another order of the same, whose halves are in
- * quarters of what was chosen last. */
+/* The sample of a bounce that goes with a sample: another order of the same. In a bowl, whose light is
+ * known, of all odd factors this one's mean is the nearest to it. */
 static int bounced_sample(int sample, int turn) {
     int turned = 0;
     for (int bit = 0; bit < 6; ++bit) {
-        turned |= (sample >> bit & 1) << (turn + 5 - bit) % 6;
+        turned |= (sample * 19 >> bit & 1) << (turn + 5 - bit) % 6;
     }
     return turned;
 }
@@ -272,7 +273,8 @@ static void cast_sky(burnish_ray_tile *tile, burnish_gathered_points *points,
     ops->sample_sky(light, &cast, sample, 1, &tile->rays, sums);
     if (bounce == BURNISH_RAY_BOUNCES) {
         for (size_t i = 0; i < 3 * points->count; ++i) {
-            points->light[i % 3][i / 3] += tile->rays.hits[i / 3] * (LAST_LIGHT * light->mean);
+            points->light[i % 3][i / 3] +=
+                tile->rays.hits[i / 3] * points->albedo[i % 3][i / 3] * (LAST_LIGHT * light->mean);
         }
         return;
     }
