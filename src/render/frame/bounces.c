@@ -52,6 +52,9 @@ void burnish_add_bounces(const burnish_shading *shading, const burnish_kernels_p
     float albedo[3];
     for (int k = 0; k < 3; ++k) {
         albedo[k] = is_varied ? 1 : shading->shaders[material].albedo[k];
+        if (shading->ray_light && shading->area && !is_varied) { /* metals mirror the rest */
+            albedo[k] = shading->area->materials[material].reflecting.diffuse[k];
+        }
         factor[k] = textured && textured->is_special ? textures->diffuse[k] : points->diffuse[k];
         if (is_varied && burnish_has_roughness(&textured->material)) {
             factor[k] = textures->ambient[k];
