@@ -14,8 +14,8 @@
  * Depth and normal are taken from the plane, the triangle id from the triangle. Cuts of transparent
  * triangles are not filled.
  *
- * Area lights, a dome and an environment (light.h) are reflected; objects do not reflect each
- * other. It does not draw refraction.
+ * Area lights, a dome and an environment (light.h) are reflected; objects reflect each other
+ * only with raytracing. It does not draw refraction.
  *
  * How to use it.
  *   1. Options: burnish_render_options options = burnish_render_options_default();
@@ -140,8 +140,8 @@ typedef struct burnish_render_options {
     float occlusion_strength; /* [0, 1]: what a point from which a light is hidden loses of it. What
                                  surfaces around it reflect, by their colour, is added */
     int raytracing; /* 1: rays find what is hidden for occlusion, shadow and ground, instead of depth
-                       maps, which stay for points. Occlusion then hides each area light by itself.
-                       Takes 70 bytes per triangle, 170 while it starts */
+                       maps, which stay for points, what bounces, and what smooth surfaces mirror
+                       of others. Takes 75 bytes per triangle, 175 while it starts */
     double up[3]; /* the up direction for the ground, and for the sky as which lights without extent
                      count in occlusion; of any length; 0, 0, 0: the up_axis of the mesh */
     int ground;   /* 1: the object shades the plane normal to `up` through its lowest point. The

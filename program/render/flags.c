@@ -509,7 +509,8 @@ static const cli_flag flags[] = {
                "lights are area lights, the strongest area light does, as if all of its light came "
                "from its centre. If it is wide and there is occlusion, its soft shadow on the "
                "object is there without this flag."},
-    {DRAW_SWITCH("raytracing", "find occlusion and shadows by rays", shading.raytracing),
+    {DRAW_SWITCH("raytracing", "find occlusion, shadows and reflections by rays",
+                 shading.raytracing),
      .svg = CLI_SVG_REFUSED, .aliases = "ray-tracing,rays",
      .manual =
          "Casts rays at all triangles to find how much light arrives, instead of drawing depth "
