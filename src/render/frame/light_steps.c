@@ -195,6 +195,7 @@ static void set_space(const burnish_call *d, burnish_ray_light *light) {
     const double distance = burnish_vec3_length(burnish_vec3_load(d->view.eye));
     for (int k = 0; k < 3; ++k) {
         light->eye[k] = (float)d->view.eye[k];
+        light->viewer[k] = (float)d->view.area.axes[2][k];
     }
     light->tree = &d->renderer->rays;
     light->ops = burnish_ray_ops_for(d->report.isa);
@@ -203,9 +204,6 @@ static void set_space(const burnish_call *d, burnish_ray_light *light) {
     light->shaders = d->view.shading.shaders;
     light->reflecting = d->view.shading.area ? d->view.shading.area->materials : NULL;
     light->is_parallel = d->view.shading.rays.q_per_depth == 0;
-    for (int k = 0; k < 3; ++k) {
-        light->viewer[k] = (float)d->view.area.axes[2][k];
-    }
     light->has_colors = d->solid->colors && !d->mesh.ignore_colors;
     light->scale = (float)burnish_space_scale(d->solid);
     burnish_space_store(burnish_space_center(d->solid), light->center);
@@ -226,18 +224,17 @@ static void find_lamps(const burnish_call *d, burnish_ray_light *light) {
         burnish_ray_light_add(light, &lamps[i]);
     }
     if (has_first_shadow(d)) {
-        burnish_area_light sun = {.shape = BURNISH_AREA_DISC, .is_distant = 1, .is_two_sided = 1};
+        burnish_area_light sun = {
+            .shape = BURNISH_AREA_DISC, .is_distant = 1, .is_two_sided = 1, .color = {1, 1, 1}};
         const burnish_vec3 across = burnish_space_across(d->view.key);
         burnish_vec3_store(d->view.key, sun.center);
         burnish_vec3_store(burnish_vec3_scale(across, SUN_RADIUS), sun.half_u);
         burnish_vec3_store(burnish_vec3_scale(burnish_vec3_cross(d->view.key, across), SUN_RADIUS),
                            sun.half_v);
-        for (int k = 0; k < 3; ++k) {
-            sun.color[k] =
-                (float)((double)d->options->lights[0].color[k] / (SUN_RADIUS * SUN_RADIUS));
-        }
         light->key = light->lamp_count;
         burnish_ray_light_add(light, &sun);
+        light->lamps[light->key].strength *=
+            luminance_of(d->options->lights[0].color) / (float)(SUN_RADIUS * SUN_RADIUS);
     }
 }
 
@@ -254,11 +251,10 @@ static burnish_status update_rays(burnish_call *d) {
     light->has_sky = d->options->occlusion != 0;
     burnish_ray_light_prepare(light);
     if (light->has_sky) {
-        float mean[3];
-        find_mean_light(d, mean);
-        light->mean = luminance_of(mean);
+        find_mean_light(d, light->tint);
+        light->mean = luminance_of(light->tint);
         for (int k = 0; k < 3; ++k) {
-            light->tint[k] = light->mean > 0 ? mean[k] / light->mean : 1;
+            light->tint[k] = light->mean > 0 ? light->tint[k] / light->mean : 1;
         }
         find_sky(d, light);
         d->report.occlusion_directions = BURNISH_RAY_DIRECTIONS;

@@ -63,13 +63,7 @@ void burnish_shade_material(const burnish_shading *shading, const burnish_fragme
                               .screen = &batch->points,
                               .shown = batch->shown};
     if (shading->ray_light && shading->occlusion) {
-        const int is_group = points->w == scratch->group.w;
-        float(*const open)[BURNISH_SHADE_BATCH] =
-            is_group ? scratch->group.open : scratch->share.open;
-        lit.clear = open[BURNISH_SEEN_CLEAR];
-        for (int k = 0; k < 3; ++k) {
-            lit.mirrored[k] = open[BURNISH_SEEN_MIRRORED + k];
-        }
+        lit.open = points->w == scratch->group.w ? scratch->group.open : scratch->share.open;
     }
     if (texturing && texturing->materials[material].is_special) {
         const float *from[2][BURNISH_TEXTURE_SECOND];

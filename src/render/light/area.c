@@ -593,10 +593,10 @@ void burnish_area_add(const burnish_area *area, const burnish_kernels *kernels,
                       float *const rgb[3]) {
     burnish_kernels_points points = *batch->points;
     burnish_reflecting_points each = {.open = NULL};
-    each.clear = batch->clear;
+    each.clear = batch->open ? batch->open[BURNISH_SEEN_CLEAR] : NULL;
     for (int k = 0; k < 3; ++k) {
         each.diffuse[k] = points.diffuse[k];
-        each.mirrored[k] = batch->mirrored[k];
+        each.mirrored[k] = batch->open ? batch->open[BURNISH_SEEN_MIRRORED + k] : NULL;
     }
     if (batch->textured) {
         read_textures(batch, &points, &each);

@@ -141,7 +141,7 @@ typedef struct burnish_area_batch {
     const struct burnish_near_cells *cells;
     const burnish_screen_points *screen;
     const int32_t *shown;
-    const float *clear, *mirrored[3]; /* burnish_reflecting_points' */
+    float (*open)[BURNISH_SEEN_BATCH]; /* where rays found what is mirrored; else NULL */
 } burnish_area_batch;
 
 /* Whether a frame has such lights. */

@@ -118,24 +118,6 @@ static size_t find_met(const burnish_started_rays *rays, const burnish_ray_light
     return number;
 }
 
-/* Casts the rays of count pixels that are known by them alone, and adds what they show. */
-static void find_points(burnish_ray_tile *tile, const burnish_ray_light *light, const uint16_t *at,
-                        size_t count) {
-    burnish_started_rays *rays = &tile->rays;
-    const burnish_ray_batch batch = {{rays->origin[0], rays->origin[1], rays->origin[2]},
-                                     {rays->direction[0], rays->direction[1], rays->direction[2]},
-                                     rays->reach,
-                                     count};
-    light->ops->find_hits(light->tree, &batch, rays->hits, rays->distance, rays->place);
-    for (size_t i = 0; i < count; ++i) {
-        float p[3], n[3], face[3];
-        const size_t number = rays->hits[i] > 0 ? find_met(rays, light, i, p, n, face) : SIZE_MAX;
-        if (number < light->solid->triangle_count) {
-            burnish_ray_tile_add(tile, light, at[i], UINT16_MAX, p, n, 2 * (uint32_t)number);
-        }
-    }
-}
-
 /* From the eye, what is seen at (x, y) at a depth, as burnish_rays says. */
 static burnish_vec3 seen_at(const burnish_rays *rays, double x, double y, double depth) {
     const double q = depth * (double)rays->q_per_depth + (double)rays->q_constant;
@@ -154,8 +136,11 @@ void burnish_ray_tile_add_margin(burnish_ray_tile *tile, const burnish_ray_light
     enum { EDGE = BURNISH_RAY_EDGE, MARGIN = BURNISH_RAY_MARGIN, SIZE = BURNISH_TILE_SIZE };
     const burnish_vec3 eye = burnish_vec3_loadf(light->eye);
     burnish_started_rays *rays = &tile->rays;
+    burnish_ray_batch batch = {{rays->origin[0], rays->origin[1], rays->origin[2]},
+                               {rays->direction[0], rays->direction[1], rays->direction[2]},
+                               rays->reach,
+                               0};
     uint16_t at[BURNISH_OCCLUDED_MAX];
-    size_t count = 0;
     for (int i = 0; i < BURNISH_RAY_PIXELS; ++i) {
         const int column = i % EDGE - MARGIN, row = i / EDGE - MARGIN;
         const int x = place->x + column, y = place->y + row;
@@ -165,16 +150,26 @@ void burnish_ray_tile_add_margin(burnish_ray_tile *tile, const burnish_ray_light
             const burnish_vec3 start = seen_at(from, right, up, 1);
             const burnish_vec3 along =
                 burnish_vec3_normalize(burnish_vec3_sub(seen_at(from, right, up, 0.5), start));
-            store_lane(burnish_vec3_add(start, eye), rays->origin[0] + count, BURNISH_OCCLUDED_MAX);
-            store_lane(along, rays->direction[0] + count, BURNISH_OCCLUDED_MAX);
-            rays->reach[count] = FAR;
-            at[count++] = (uint16_t)i;
+            store_lane(burnish_vec3_add(start, eye), rays->origin[0] + batch.count,
+                       BURNISH_OCCLUDED_MAX);
+            store_lane(along, rays->direction[0] + batch.count, BURNISH_OCCLUDED_MAX);
+            rays->reach[batch.count] = FAR;
+            at[batch.count++] = (uint16_t)i;
         }
-        if (count == BURNISH_OCCLUDED_MAX || (i + 1 == BURNISH_RAY_PIXELS && count > 0)) {
-            memset(rays->reach + count, 0, (BURNISH_OCCLUDED_MAX - count) * sizeof *rays->reach);
-            find_points(tile, light, at, count);
-            count = 0;
+        if (batch.count < BURNISH_OCCLUDED_MAX && i + 1 < BURNISH_RAY_PIXELS) {
+            continue;
         }
+        memset(rays->reach + batch.count, 0, (BURNISH_OCCLUDED_MAX - batch.count) * sizeof(float));
+        light->ops->find_hits(light->tree, &batch, rays->hits, rays->distance, rays->place);
+        for (size_t ray = 0; ray < batch.count; ++ray) {
+            float p[3], n[3], face[3];
+            const size_t number =
+                rays->hits[ray] > 0 ? find_met(rays, light, ray, p, n, face) : SIZE_MAX;
+            if (number < light->solid->triangle_count) {
+                burnish_ray_tile_add(tile, light, at[ray], UINT16_MAX, p, n, 2 * (uint32_t)number);
+            }
+        }
+        batch.count = 0;
     }
 }
 
@@ -321,10 +316,6 @@ static void cast_skies(burnish_ray_tile *tile, burnish_gathered_points *points,
     }
 }
 
-static int is_wanted(const burnish_ray_light *light, int lamp) {
-    return light->has_sky || (lamp >= 0 && lamp == light->key);
-}
-
 static void store_sums(burnish_ray_tile *tile, const burnish_gathered_points *points, size_t i,
                        int lamp, float scale) {
     tile->sums[burnish_ray_sums(lamp)][points->from[i]] = scale * points->sums[1][i];
@@ -357,11 +348,6 @@ static int is_mixed(const burnish_ray_tile *tile, int at, int sums) {
 /* Every other bit of i. */
 static int even_bits(int i) {
     return (i & 1) | (i >> 1 & 2) | (i >> 2 & 4) | (i >> 3 & 8);
-}
-
-/* The pattern of a block's pixel for what it mirrors: finer ones lie side by side. */
-static int mirror_pattern(int pixel) {
-    return pixel % 2 + pixel / 4 % 2 * 2 + pixel % 4 / 2 * 4 + pixel / 8 * 8;
 }
 
 /* The pattern of a block's pixel to lamps. The four that make one finer are two pixels apart, so that
@@ -412,8 +398,7 @@ static void cast_mirrored(burnish_ray_tile *tile, const burnish_ray_light *light
     burnish_gathered_points *points = &tile->points;
     gather_pixels(tile, light, pixel, batch, GLOSSY);
     if (points->count > 0) {
-        cast_skies(tile, points, light, ops, mirror_pattern(pixel) * BURNISH_RAY_SAMPLES,
-                   BURNISH_RAY_SAMPLES);
+        cast_skies(tile, points, light, ops, pixel * BURNISH_RAY_SAMPLES, BURNISH_RAY_SAMPLES);
     }
     for (size_t i = 0; i < points->count; ++i) {
         const size_t at = points->from[i];
@@ -462,7 +447,7 @@ static void cast_pixels(burnish_ray_tile *tile, const burnish_ray_light *light,
         store_sums(tile, points, i, -1, 1);
     }
     for (int lamp = 0; lamp < light->lamp_count; ++lamp) {
-        if (is_wanted(light, lamp)) {
+        if (light->has_sky || lamp == light->key) {
             cast_to_lamp(tile, light, ops, lamp, lamp_pattern(pixel), 1);
         }
     }

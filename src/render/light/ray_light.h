@@ -51,8 +51,7 @@ typedef struct burnish_ray_light {
     float near;             /* points so far from a point's plane are of another surface */
     int has_sky;            /* 0: only shadows of lamps are wanted */
     float strength;         /* [0, 1]: what a point that sees no sky loses of its light */
-    float mean,
-        tint[3]; /* light of the surfaces that are seen, on white: luminance, and its colour */
+    float mean, tint[3];    /* luminance and colour of the light on white that is seen */
     /* across, across and along a normal: evenly by cosine, all of them, a pattern's, and those of the
      * first patterns */
     float directions[BURNISH_RAY_DIRECTIONS_MAX][3];
@@ -74,9 +73,8 @@ burnish_vec3 burnish_ray_light_direction(int i);
 /* Points that cast rays: from the eye, unit normals, and the normals of their triangles. */
 typedef struct burnish_ray_points {
     const float *position[3], *normal[3], *face[3];
-    const float *gloss,
-        *back[3]; /* alpha, or below 0: matt; NULL: all are; and unit vectors against
-                                     the rays that came, of glossy ones */
+    /* alpha, below 0 of matt ones, and vectors against the rays that came; NULL: all are matt */
+    const float *gloss, *back[3];
     size_t count; /* at most BURNISH_OCCLUDED_MAX, readable up to the next multiple of 16 */
 } burnish_ray_points;
 
@@ -104,10 +102,9 @@ typedef struct burnish_gathered_points {
     int has_gloss; /* 0: all are matt */
 } burnish_gathered_points;
 
-/* What rays of a point found: of mirrored ones the albedos, how many met a surface, and how many there
- * are, then what these send and the albedos once more, of all colours; light that comes over other
- * surfaces, all in the mean light's colour; then of the sky, and of each lamp, the light without what hides it, and what is hidden of it.
- */
+/* What rays of a point found. Mirrored: the albedos of what they met, how many met any, and how many there
+ * are, then what is sent and the albedos once more, of all colours. Light that comes over other surfaces,
+ * in the mean light's colour. Of the sky and of each lamp, all light, and what is hidden of it. */
 enum {
     BURNISH_RAY_MIRRORED,
     BURNISH_RAY_MET = 3,
