@@ -1,6 +1,6 @@
 /* Rays through the tree, one per lane. A lane meets the boxes and triangles that its own ray hits,
- * whatever its neighbours do, and a hit is a hit in any order: so results do not depend on LANES. Where
- * the nearest is wanted, 16 rays have one order whatever LANES. */
+ * whatever its neighbours do, and a hit is a hit in any order: so results do not depend on LANES. The
+ * nearest is found in one order for all. */
 #ifndef BURNISH_RAYS_RAYS_SIMD_H
 #define BURNISH_RAYS_RAYS_SIMD_H
 
@@ -103,21 +103,9 @@ typedef struct waiting_part {
     vf entry;
 } waiting_part;
 
-/* Whether the second box of a node is met before the first along `way`. */
-BURNISH_INLINE int is_turned(const burnish_ray_node *node, const float way[3]) {
-    float side = 0;
-    for (int k = 0; k < 3; ++k) {
-        side +=
-            way[k] * ((node->low[1][k] + node->high[1][k]) - (node->low[0][k] + node->high[0][k]));
-    }
-    return side < 0;
-}
-
 /* Which lanes hit something.
- *   way      the order in which parts are met
  *   nearest  NULL: anything; otherwise the reach becomes the distance of what is nearest */
-BURNISH_INLINE vm find_lanes(const burnish_ray_tree *tree, ray_lanes *ray, vm lanes,
-                             const float way[3], vi *nearest) {
+BURNISH_INLINE vm find_lanes(const burnish_ray_tree *tree, ray_lanes *ray, vm lanes, vi *nearest) {
     waiting_part stack[BURNISH_RAY_DEPTH + 2];
     const vm all = lanes;
     vm alive = lanes; /* that have hit nothing yet */
@@ -148,12 +136,11 @@ BURNISH_INLINE vm find_lanes(const burnish_ray_tree *tree, ray_lanes *ray, vm la
             continue;
         }
         const burnish_ray_node *node = &tree->nodes[part.child];
-        for (int i = 0, last = nearest && is_turned(node, way) ? 0 : 1; i < 2; ++i, last = !last) {
+        for (int i = 1; i >= 0; --i) {
             vf entry;
-            const vm met =
-                vm_and(present, hits_box(ray, node->low[last], node->high[last], &entry));
+            const vm met = vm_and(present, hits_box(ray, node->low[i], node->high[i], &entry));
             if (vm_any(met)) {
-                stack[depth++] = (waiting_part){node->child[last], node->count[last], met, entry};
+                stack[depth++] = (waiting_part){node->child[i], node->count[i], met, entry};
             }
         }
     }
@@ -167,16 +154,13 @@ static void find_hits(const burnish_ray_tree *tree, const burnish_ray_batch *ray
         if (tree->triangle_count > 0) {
             ray_lanes ray = load_rays(rays, i);
             const vm is_cast = vf_greater(ray.reach, vf_set(0.0f));
-            const size_t leader = i / 16 * 16;
-            const float way[3] = {rays->direction[0][leader], rays->direction[1][leader],
-                                  rays->direction[2][leader]};
             vi nearest = vi_set(0);
             if (distances) {
-                hit = find_lanes(tree, &ray, is_cast, way, &nearest);
+                hit = find_lanes(tree, &ray, is_cast, &nearest);
                 vf_store(distances + i, ray.reach);
                 vi_store(places + i, nearest);
             } else {
-                hit = find_lanes(tree, &ray, is_cast, NULL, NULL);
+                hit = find_lanes(tree, &ray, is_cast, NULL);
             }
         }
         vf_store(hits + i, vf_and_mask(hit, vf_set(1.0f)));
