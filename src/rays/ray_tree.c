@@ -34,7 +34,6 @@ typedef struct tree_builder {
     float (*corners)[9]; /* by number; each triangle's sorted */
     ray_box *boxes;      /* by number */
     uint32_t *order;     /* numbers, in the order of the leaves */
-    uint32_t *numbers;   /* in the mesh */
     ray_range *pieces;   /* for threads */
     size_t count, piece_count;
 } tree_builder;
@@ -91,7 +90,7 @@ static int is_left_out(const burnish_ray_mesh *mesh, size_t i) {
 static void load_triangles(tree_builder *builder) {
     const burnish_ray_mesh *mesh = builder->mesh;
     for (size_t i = 0; i < mesh->view->triangle_count; ++i) {
-        float *const c = builder->corners[builder->count];
+        float *const c = builder->corners[i];
         ray_box box = NOTHING;
         for (int corner = 0; corner < 3; ++corner) {
             const float *from =
@@ -106,10 +105,8 @@ static void load_triangles(tree_builder *builder) {
         sort_corners(c);
         const int is_thin = compare_corners(c, c + 3) == 0 || compare_corners(c + 3, c + 6) == 0;
         if (!is_left_out(mesh, i) && !is_thin) {
-            builder->boxes[builder->count] = box;
-            builder->order[builder->count] = (uint32_t)builder->count;
-            builder->numbers[builder->count] = (uint32_t)i;
-            ++builder->count;
+            builder->boxes[i] = box;
+            builder->order[builder->count++] = (uint32_t)i;
         }
     }
 }
@@ -321,7 +318,7 @@ static void pack_tree(tree_builder *builder) {
     burnish_ray_tree *tree = builder->tree;
     for (size_t i = 0; i < builder->count; ++i) {
         memcpy(tree->triangles[i], builder->corners[builder->order[i]], sizeof *tree->triangles);
-        tree->numbers[i] = builder->numbers[builder->order[i]];
+        tree->numbers[i] = builder->order[i];
     }
     uint32_t *const number = builder->order;
     tree->node_count = 0;
@@ -370,7 +367,7 @@ static burnish_status build_tree(tree_builder *builder, burnish_tasks *tasks,
     }
     memset(tree->nodes, 0, (builder->count + 1) * sizeof *tree->nodes);
     if (builder->count == 1) { /* both sides of the root are it */
-        builder->order[1] = 0;
+        builder->order[1] = builder->order[0];
         builder->count = 2;
     }
     const ray_range all = {0, builder->count, 0, 0, NULL, 0};
@@ -408,7 +405,6 @@ burnish_status burnish_ray_tree_update(burnish_ray_tree *tree, const burnish_ray
             .corners = burnish_allocate(memory, room, sizeof *builder.corners, "corners"),
             .boxes = burnish_allocate(memory, room, sizeof *builder.boxes, "bounds of triangles"),
             .order = burnish_allocate(memory, room, sizeof *builder.order, "order of triangles"),
-            .numbers = burnish_allocate(memory, room, sizeof *builder.numbers, "triangles"),
             .pieces =
                 burnish_allocate(memory, pieces, sizeof *builder.pieces, "parts of the tree")};
         status = memory->status;
@@ -418,7 +414,6 @@ burnish_status burnish_ray_tree_update(burnish_ray_tree *tree, const burnish_ray
         burnish_release(memory->context, builder.corners);
         burnish_release(memory->context, builder.boxes);
         burnish_release(memory->context, builder.order);
-        burnish_release(memory->context, builder.numbers);
         burnish_release(memory->context, builder.pieces);
         tree->mesh = status == BURNISH_STATUS_OK ? mesh->view->serial : 0;
     }

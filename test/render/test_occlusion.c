@@ -283,11 +283,9 @@ static void test_mirror(void) {
     for (int i = 0; i < 2; ++i) {
         set_three(materials[i].diffuse, (float)!i);
         set_three(materials[i].ambient, (float)!i);
-        set_three(materials[i].specular, 0);
         materials[i].has_diffuse = 1;
         materials[i].is_metallic = !i;
         materials[i].metallic = (float)!i;
-        materials[i].roughness = 0;
     }
     burnish_mesh *mesh = make_wall(materials);
     float *light = draw(mesh, along, 1, DOME);

@@ -180,9 +180,8 @@ static void set_seen(const burnish_ray_light *light, const float sums[BURNISH_RA
     /* what is mirrored is multiplied by what is seen of light from everywhere */
     const float open =
         scratch->open[BURNISH_SEEN_LIGHT][i] > LEAST_SEEN ? scratch->open[0][i] : LEAST_SEEN;
-    if (glossy > 0) {
-        scratch->open[BURNISH_SEEN_CLEAR][i] = (1 - part * sums[BURNISH_RAY_MET]) / open;
-    }
+    scratch->open[BURNISH_SEEN_CLEAR][i] =
+        glossy > 0 ? (1 - part * sums[BURNISH_RAY_MET]) / open : 1;
     for (int k = 0; k < 3; ++k) {
         scratch->open[BURNISH_SEEN_MIRRORED + k][i] =
             mirrored * light->tint[k] * sums[BURNISH_RAY_MIRRORED + k] / open;
