@@ -430,7 +430,7 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
         burnish_tile_worker *worker = &tiles->workers[i];
         if (surface->shading->ray_light && !worker->scratch.rays) {
             worker->scratch.rays =
-                burnish_allocate(&memory, 1, sizeof *worker->scratch.rays, "rays of a tile");
+                burnish_allocate_zeroed(&memory, 1, sizeof *worker->scratch.rays, "rays of a tile");
             status = memory.status;
         }
         worker->coder = (burnish_face_coder){.shader = surface->shading->shaders,

@@ -15,14 +15,11 @@ enum { MORE_PATTERNS = 4 };
 /* Longer than the way from the camera through the mesh. */
 #define FAR 1e6f
 
-/* Of the mean light, what surfaces get that no rays are cast from; their colour counts as that of those
- * to which they send it. */
+/* Of the mean light, what surfaces get that cast no rays, and reflect as those to which they send it. */
 #define LAST_LIGHT 0.6f
 
-/* Metals reflect more along their normal. */
+/* Metals reflect more along their normal; smoother surfaces mirror others, whatever they reflect. */
 #define METAL 0.2f
-
-/* Smoother surfaces mirror others, whatever they reflect. */
 #define SMOOTH 0.35f
 
 /* ---- A tile ---- */
@@ -47,7 +44,6 @@ static int find_face(const burnish_ray_light *light, const burnish_mesh_view *me
     return 1;
 }
 
-/* Writes a vector to three arrays, `step` apart. */
 static void store_lane(burnish_vec3 v, float *to, size_t step) {
     to[0] = (float)v.x;
     to[step] = (float)v.y;

@@ -92,8 +92,7 @@ static void add_rays(const burnish_ray_light *light, burnish_started_rays *rays,
     }
 }
 
-/* Turns the directions of glossy points, and their light: mirrored at one of GGX's normals.
- *   across  of the points' normals n */
+/* Turns the directions of glossy points, and their light: mirrored at one of GGX's normals. */
 BURNISH_INLINE void mirror_rays(const burnish_ray_light *light, const burnish_ray_points *points,
                                 size_t i, const float lobe[2], const vf n[3], vf across[2][3],
                                 vf d[3], vf *arriving) {
