@@ -183,7 +183,6 @@ static burnish_ray_points ray_points(burnish_gathered_points *points) {
         points->count};
 }
 
-/* Rays to a lamp. */
 static void cast_rays(burnish_gathered_points *points, const burnish_ray_light *light,
                       const burnish_render_ops *ops, int lamp, int first, int count) {
     const burnish_ray_points cast = ray_points(points);
@@ -425,7 +424,6 @@ static void cast_to_lamp(burnish_ray_tile *tile, const burnish_ray_light *light,
     }
 }
 
-/* Casts the first rays of pixel `pixel` of all blocks. */
 static void cast_pixels(burnish_ray_tile *tile, const burnish_ray_light *light,
                         const burnish_render_ops *ops, int pixel, int batch) {
     burnish_gathered_points *points = &tile->points;

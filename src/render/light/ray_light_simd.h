@@ -94,11 +94,12 @@ static void add_rays(const burnish_ray_light *light, burnish_started_rays *rays,
 
 /* Turns the directions of glossy points, and their light: mirrored at one of GGX's normals. */
 BURNISH_INLINE void mirror_rays(const burnish_ray_light *light, const burnish_ray_points *points,
-                                size_t i, const float lobe[2], const vf n[3], vf across[2][3],
-                                vf d[3], vf *arriving) {
+                                size_t i, const float lobe[2], const vf n[3], vf d[3],
+                                vf *arriving) {
     const vf alpha = vf_load(points->gloss + i), zero = vf_set(0.0f);
     const vm is_matt = vf_greater(zero, alpha);
-    vf back[3], h[3], mirrored[3];
+    vf across[2][3], back[3], h[3], mirrored[3];
+    find_across(n, across[0], across[1]);
     for (int k = 0; k < 3; ++k) {
         const vf side =
             vf_add(vf_mul(across[0][k], vf_set(lobe[0])), vf_mul(across[1][k], vf_set(lobe[1])));
@@ -139,7 +140,7 @@ static void sample_sky(const burnish_ray_light *light, const burnish_ray_points 
             const vm has_normal = vf_greater(squared, vf_set(0.5f)); /* without: open */
             vf arriving = light_from(light->light, d);
             if (points->gloss) {
-                mirror_rays(light, points, i, light->lobe[sample], n, across, d, &arriving);
+                mirror_rays(light, points, i, light->lobe[sample], n, d, &arriving);
             }
             set_rays(points, i, d, arriving, vf_and_mask(has_normal, vf_set(RAY_REACH)), rays);
         }
