@@ -38,7 +38,9 @@ enum {
     BURNISH_ANNOTATION_SCALE = 8,      /* a bar of 1, 2 or 5 times a power of 10; not drawn in
                                           perspective, which has no scale */
     BURNISH_ANNOTATION_GRID = 16,      /* ground lines 1, 2 or 5 times a power of 10 apart */
-    BURNISH_ANNOTATION_ALL = 31
+    BURNISH_ANNOTATION_SECTION = 32, /* of the plane `section`: arrows and letters where a parallel
+                                        view looks along it, "A-A" where it looks at it */
+    BURNISH_ANNOTATION_ALL = 63
 };
 
 /* Options for annotations. Start from burnish_annotate_options_default(). */
@@ -57,6 +59,7 @@ typedef struct burnish_annotate_options {
                                        of the box are dashed, hidden parts of the grid omitted;
                                        NULL: nothing is hidden */
     size_t depth_stride;   /* bytes from row to row of depth, a multiple of 4 */
+    burnish_clip_plane section; /* its normal, of length 1, points to the viewer of the section */
 } burnish_annotate_options;
 
 /* No annotations, a white background. */

@@ -114,6 +114,7 @@ enum {
     BURNISH_PROJECTION_TOP,
     BURNISH_PROJECTION_SIDE,
     BURNISH_PROJECTION_PICTORIAL, /* in the free corner */
+    BURNISH_PROJECTION_SECTION,   /* there is none unless `section` is set */
     BURNISH_PROJECTION_VIEWS
 };
 
@@ -122,7 +123,8 @@ typedef struct burnish_projection_area {
     int x, y, width, height;
 } burnish_projection_area;
 
-/* A page with three aligned views at one scale and a pictorial view. */
+/* A page with three aligned views at one scale, a pictorial view, and possibly a section: right of
+ * the front and side views, or of the top view if it cuts across the height. */
 typedef struct burnish_projection {
     burnish_projection_method method;
     int width, height; /* pixels, from 240 */
@@ -131,8 +133,9 @@ typedef struct burnish_projection {
     double pixels_per_millimetre; /* > 0: a unit is a millimetre, and the scale on paper is 1, 2 or
                                      5 times a power of 10, or 1 divided by that (ISO 5455); 0: the
                                      largest scale that fits */
+    int section;                  /* 1, 2, 3: there is one, across width, height or depth */
     /* Set by burnish_projection_lay_out(): */
-    double pixels_per_unit; /* of the three views */
+    double pixels_per_unit; /* of all but the pictorial view */
     char scale[16];         /* "1:2"; "": not a scale on paper */
     double text_height;     /* of a capital, pixels */
     burnish_projection_area
@@ -147,7 +150,7 @@ BURNISH_API burnish_status burnish_projection_lay_out(burnish_projection *projec
  * truncated cone, ISO 5456-2).
  *   projection  laid out
  *   title       ASCII; NULL: none
- *   views       of the sizes of the cells, with equal channels
+ *   views       of the sizes of the cells, with equal channels; the section's only if there is one
  *   background  sRGB
  *   ink         sRGB of lines and letters
  *   image       receives the image, empty on error. It uses the context of the first view

@@ -543,13 +543,22 @@ static const cli_flag flags[] = {
     {.group = "Input", .topic = "input", CLI_INPUT_FORMAT_FLAG(render_settings, input.load)},
     {LOAD_FLAG("clip", "X,Y,Z,D", "cut away where X x + Y y + Z z > D; may be repeated",
                render_flag_clip, input.clip),
-     .value_type = CLI_TYPE_VECTOR, .not_for = HEIR_COMPARE,
-     .aliases = "clipping,clip-plane,cut,section", .repeats = 1,
+     .value_type = CLI_TYPE_VECTOR, .not_for = HEIR_COMPARE, .aliases = "clipping,clip-plane,cut",
+     .repeats = 1,
      .manual = "Cuts away everything beyond a plane: points with _X_ x + _Y_ y + _Z_ z > _D_, in "
                "the coordinates of the input. *--clip=0,0,1,5* removes everything above z = 5. Can "
                "be repeated up to 6 times. Cuts through a solid, a closed mesh with consistent "
                "winding, are filled and hatched; cuts through other meshes and transparent "
                "surfaces are not. The camera frames the rest."},
+    {LOAD_FLAG("section", "AXIS", "cut and look at the cut: x, -y, z:OFFSET", render_flag_section,
+               input.section),
+     .value_type = CLI_TYPE_TEXT, .not_for = HEIR_COMPARE, .aliases = "cross-section",
+     .manual = "Cuts the object across an axis of the input, _AXIS_ or _AXIS_:_OFFSET_, by default "
+               "in its middle, and looks at the cut square on, from the side of the front, right "
+               "or top view. A sign chooses the side: *--section=-y* takes away what is below, and "
+               "the viewer is there. Cuts are filled as those of *--clip*. A sheet of aligned "
+               "views shows the whole object and one more view, A-A, whose plane and direction "
+               "are marked in the front or top view."},
     {LOAD_FLAG("color-by", "VALUE", "height, normal, part (feature), filament (tool) or a property",
                cli_flag_text, input.coloring.by),
      .not_for = HEIR_COMPARE, .svg = CLI_SVG_REFUSED, .also = "coloring-array,scalars",

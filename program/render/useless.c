@@ -48,8 +48,9 @@ static int is_parallel(const render_settings *settings) {
 /* Whether light and opacity can change pixels. The areas of a drawing are as white as its paper, unless
  * a flag gives either another colour or a shade. */
 static int is_shaded(const render_settings *settings) {
-    static const char shades[] = "color,material,ambient,environment,occlusion,ground,shadow,clip,"
-                                 "background-color,no-background,outline-contrast";
+    static const char shades[] =
+        "color,material,ambient,environment,occlusion,ground,shadow,clip,section,"
+        "background-color,no-background,outline-contrast";
     return settings->shading.look != BURNISH_LOOK_DRAWING || is_any_given(settings, shades);
 }
 

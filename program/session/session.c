@@ -25,6 +25,7 @@ struct session {
     burnish_mesh *mesh;
     render_camera_settings stance; /* up, stands_otherwise, flat_axis and slant of the mesh */
     render_coloring coloring;      /* of the mesh; has the name itself */
+    render_section section;        /* of the mesh */
     burnish_material *materials;   /* of the input; options of a picture change those of the mesh */
     int is_strict;                 /* as the mesh was opened */
     size_t loading_warnings;       /* count; later warnings are about the picture */
@@ -367,6 +368,7 @@ static burnish_status prepare_mesh(session *s, burnish_status status, burnish_er
     if (status == BURNISH_STATUS_OK) {
         status = render_prepare_mesh(&scene, error);
         s->stance = s->settings.camera;
+        s->section = s->settings.input.section;
         s->coloring = s->settings.input.coloring;
         s->coloring.by = s->coloring.by ? strdup(s->coloring.by) : NULL; /* NULL: no legend */
     }
@@ -523,6 +525,8 @@ burnish_status session_draw(session *s, session_options options, burnish_error *
     s->settings.camera.stands_otherwise = s->stance.stands_otherwise;
     s->settings.camera.flat_axis = s->stance.flat_axis;
     memcpy(s->settings.camera.slant, s->stance.slant, sizeof s->stance.slant);
+    s->settings.input.section = s->section;
+    render_turn_to_section(&s->settings);
     s->settings.input.load.strict = s->is_strict;
     if (status == BURNISH_STATUS_OK) {
         status = warn_useless(s, error);

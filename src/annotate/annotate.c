@@ -72,6 +72,9 @@ burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view,
                                           burnish_annotation_flags kinds, int bounded,
                                           burnish_memory *memory, burnish_annotation_list *list) {
     *list = (burnish_annotation_list){.bounded = bounded, .memory = memory};
+    if (kinds & BURNISH_ANNOTATION_SECTION) {
+        burnish_annotate_section(view, list);
+    }
     if (kinds & BURNISH_ANNOTATION_DIMENSIONS) {
         burnish_annotate_dimensions(view, list);
     }

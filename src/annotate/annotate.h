@@ -36,6 +36,7 @@ typedef struct burnish_annotation_view {
     int corners_seen;         /* 1: all are in front of the camera */
     burnish_point hull[8];    /* convex hull of the corners */
     int hull_count;
+    burnish_clip_plane section;
     const float *depth; /* distances that hide; NULL: nothing does */
     size_t depth_stride;
 } burnish_annotation_view;
@@ -83,7 +84,7 @@ typedef struct burnish_annotation_line {
     burnish_annotation_layer layer;
 } burnish_annotation_line;
 
-enum { BURNISH_LABELS_MAX = 8, BURNISH_LABEL_SIZE = 32 };
+enum { BURNISH_LABELS_MAX = 11, BURNISH_LABEL_SIZE = 32 };
 
 typedef struct burnish_annotation_label {
     char text[BURNISH_LABEL_SIZE];
@@ -108,6 +109,17 @@ typedef struct burnish_annotation_list {
 void burnish_annotation_add_line(burnish_annotation_list *list, burnish_point a, burnish_point b,
                                  double width, burnish_annotation_layer layer);
 
+/* A slim filled triangle: a fan of lines from its tip, which direction d leads away from. */
+enum { BURNISH_ARROW_LINES = 5 };
+#define BURNISH_ARROW_LENGTH 0.9 /* of the height of a capital */
+void burnish_annotation_arrow(const burnish_annotation_view *view, burnish_point tip,
+                              burnish_point d, burnish_point ends[BURNISH_ARROW_LINES][2],
+                              double *width);
+
+static inline burnish_point burnish_moved_along(burnish_point p, burnish_point d, double by) {
+    return (burnish_point){p.x + d.x * by, p.y + d.y * by};
+}
+
 /* A label with its middle at a point, before it is taken into the list. */
 burnish_annotation_label burnish_annotation_label_at(const burnish_annotation_view *view,
                                                      const char *text, burnish_point middle,
@@ -130,6 +142,9 @@ void burnish_annotate_dimensions(const burnish_annotation_view *view,
 /* Axes, scale bar and the grid's spacing, in corners that nothing else holds. */
 void burnish_annotate_marks(const burnish_annotation_view *view, burnish_annotation_flags kinds,
                             burnish_annotation_list *list);
+
+/* The arrows and letters of the section's plane, or its name. */
+void burnish_annotate_section(const burnish_annotation_view *view, burnish_annotation_list *list);
 
 void burnish_annotate_box(const burnish_annotation_view *view, burnish_annotation_list *list);
 void burnish_annotate_grid(const burnish_annotation_view *view, burnish_annotation_list *list);

@@ -149,6 +149,7 @@ burnish_status burnish_annotation_view_make(const burnish_mesh *mesh,
     *view = (burnish_annotation_view){.width = width,
                                       .height = height,
                                       .corners_seen = 1,
+                                      .section = annotations->section,
                                       .depth = annotations->depth,
                                       .depth_stride = annotations->depth_stride};
     view->eye = burnish_vec3_load(camera->position);

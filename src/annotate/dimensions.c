@@ -6,8 +6,6 @@
 #include "annotate/annotate.h"
 
 /* Of the height of a capital. */
-#define ARROW_LENGTH 0.9
-#define ARROW_HALF 0.17     /* half its width */
 #define LEAST_OFFSET 1.7    /* from the edge to the dimension line */
 #define CLEAR 0.55          /* white around a number */
 #define EXTENSION_GAP 0.35  /* white between the edge and an extension line */
@@ -37,10 +35,6 @@ typedef struct dimension {
     } lines[LINES_MAX];
     int line_count;
 } dimension;
-
-static burnish_point moved_along(burnish_point p, burnish_point d, double by) {
-    return (burnish_point){p.x + d.x * by, p.y + d.y * by};
-}
 
 static double magnitude(double value) {
     return value < 0 ? -value : value;
@@ -91,16 +85,13 @@ static void push_dimension_line(dimension *made, burnish_point a, burnish_point 
     }
 }
 
-/* A slim filled triangle: a fan of lines from its tip, which point d leads away from. */
 static void push_arrow(const burnish_annotation_view *view, dimension *made, burnish_point tip,
                        burnish_point d) {
-    const burnish_point across = {d.y, -d.x};
-    const burnish_point base = moved_along(tip, d, ARROW_LENGTH * view->text);
-    const double half = ARROW_HALF * view->text;
-    const burnish_point start = moved_along(tip, d, view->line / 2);
-    for (int i = -2; i <= 2; ++i) {
-        push_dimension_line(made, start, moved_along(base, across, half * i / 2),
-                            half > 1.5 ? 0.8 * half : view->line);
+    burnish_point ends[BURNISH_ARROW_LINES][2];
+    double width;
+    burnish_annotation_arrow(view, tip, d, ends, &width);
+    for (int i = 0; i < BURNISH_ARROW_LINES; ++i) {
+        push_dimension_line(made, ends[i][0], ends[i][1], width);
     }
 }
 
@@ -108,8 +99,9 @@ static void push_arrow(const burnish_annotation_view *view, dimension *made, bur
  * beyond an end, 3: next to the middle. */
 static void make_dimension(const burnish_annotation_view *view, const edge *e, double offset,
                            int place, dimension *made) {
-    const double text = view->text, arrow = ARROW_LENGTH * text, clear = CLEAR * text;
-    const burnish_point p = moved_along(e->p, e->n, offset), q = moved_along(e->q, e->n, offset);
+    const double text = view->text, arrow = BURNISH_ARROW_LENGTH * text, clear = CLEAR * text;
+    const burnish_point p = burnish_moved_along(e->p, e->n, offset),
+                        q = burnish_moved_along(e->q, e->n, offset);
     const burnish_point middle = {(p.x + q.x) / 2, (p.y + q.y) / 2};
     char number[BURNISH_LABEL_SIZE];
     burnish_number_text(e->value, number);
@@ -125,23 +117,24 @@ static void make_dimension(const burnish_annotation_view *view, const edge *e, d
         const burnish_point corner = end ? e->q : e->p, tip = end ? q : p;
         const double way = (end ? -1 : 1) * (inside ? 1 : -1);
         const burnish_point d = {e->d.x * way, e->d.y * way};
-        push_dimension_line(made, moved_along(corner, e->n, EXTENSION_GAP * text),
-                            moved_along(corner, e->n, offset + EXTENSION_OVER * text), view->line);
+        push_dimension_line(made, burnish_moved_along(corner, e->n, EXTENSION_GAP * text),
+                            burnish_moved_along(corner, e->n, offset + EXTENSION_OVER * text),
+                            view->line);
         push_arrow(view, made, tip, d);
         if (!inside) {
-            push_dimension_line(made, tip, moved_along(tip, d, 2 * arrow), view->line);
+            push_dimension_line(made, tip, burnish_moved_along(tip, d, 2 * arrow), view->line);
         }
     }
     if (in_line) {
-        push_dimension_line(made, p, moved_along(middle, e->d, -gap / 2), view->line);
-        push_dimension_line(made, moved_along(middle, e->d, gap / 2), q, view->line);
+        push_dimension_line(made, p, burnish_moved_along(middle, e->d, -gap / 2), view->line);
+        push_dimension_line(made, burnish_moved_along(middle, e->d, gap / 2), q, view->line);
         return;
     }
     push_dimension_line(made, p, q, view->line);
     const double beyond = e->length / 2 + (inside ? 0 : 2 * arrow) + clear + reach;
-    const burnish_point center = place == 1   ? moved_along(middle, e->d, beyond)
-                                 : place == 2 ? moved_along(middle, e->d, -beyond)
-                                              : moved_along(middle, e->n, depth + clear);
+    const burnish_point center = place == 1   ? burnish_moved_along(middle, e->d, beyond)
+                                 : place == 2 ? burnish_moved_along(middle, e->d, -beyond)
+                                              : burnish_moved_along(middle, e->n, depth + clear);
     made->label = burnish_annotation_label_at(view, number, center, BURNISH_LAYER_LINES);
 }
 

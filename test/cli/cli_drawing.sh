@@ -15,7 +15,7 @@ VALUES = {
     "light": "headlight", "environment": "room", "occlusion": "8", "camera-orthographic-height": "9", "clip": "0,1,0,1", "elevation": "10",
     "color-by": "height", "isa": "scalar", "json": "../j.json", "look": "drawing", "material": "metal", "viewer": "distant",
     "max-memory": "8000000000G", "max-input-bytes": "1000000", "camera-focal-point": "1,0,0", "camera-direction": "0,0,-1",
-    "edges": "creases", "annotate": "axes,box,dimensions,grid",
+    "edges": "creases", "annotate": "axes,box,dimensions,grid", "section": "y",
 }
 UNTRIED = set("""camera-intrinsics output output-dir recursive files-from columns labels font no-labels output-format turntable camera
     environment-strength environment-turn center-lines input-format color-map color-range no-legend normals crease-angle
@@ -77,6 +77,21 @@ run render :torus --look=drawing --clip=0,0,1,0.1 --clip=1,0,0,0.2 -o a.svg
 check "areas: $(grep -c evenodd a.svg)" [ "$(grep -c evenodd a.svg)" = 2 ]
 check "hatching" [ "$(grep -c '<path fill="none" stroke' a.svg)" = 2 ]
 
+# A section is a cut, seen square on from the side that a sign chooses.
+for section in x:0.5=1,0,0,0.5=right y:1=0,1,0,1=top -z=0,0,-1,0=back +z:-0.5=0,0,1,-0.5=front; do
+    gives 0 render :teapot "--section=${section%%=*}" --size=64 -o a.png
+    cut=${section#*=}
+    gives 0 render :teapot "--clip=${cut%=*}" "--views=${cut#*=}" --size=64 -o b.png
+    check "--section=${section%%=*}" cmp a.png b.png
+done
+rm a.png b.png
+expect 2 'burnish: --section: z = 9 does not cut the object; use an offset between -2 and 2' render :teapot --section=z:9
+expect 2 'burnish: --section: "z:" is not an axis, such as x or -y, or an axis and an offset, such as z:5' render :teapot --section=z:
+expect 2 'burnish: --views: --section already sets the camera; omit one of them, or cut with --clip' render :teapot --section=z --views=top
+expect 2 'burnish: --azimuth: --section already sets the camera; omit one of them' render :teapot --section=z --azimuth=9
+gives 0 render :teapot --section=z --turntable=a.gif --frames=2 --size=16
+rm a.gif
+
 # A PDF has the same lines, on a page in points.
 run render :teapot --look=drawing --annotate=dimensions --size=100 --dpi=72 -o a.pdf
 check "a PDF: $(cat "$err")" grep -q '/MediaBox \[0 0 100 100\]' a.pdf
@@ -114,6 +129,28 @@ END
 done
 run render ../block.obj --look=drawing --views=third-angle --annotate=dimensions,axes --dpi=100 -o a.svg
 check "each length once: $(grep -o 'aria-label="[^"]*"' a.svg)" [ "$(grep -c 'aria-label="[0-9.]*"' a.svg)" = 3 ]
+# A section is one more view, at the same scale, in line with the front or the top view; the others are whole.
+for section in x=front y=front z=top; do
+    for angle in third first; do
+        run render ../block.obj --up=+Z --look=drawing --views=$angle-angle --section=${section%%=*} --json -o a.svg
+        check "a sheet with a section across ${section%%=*}" python3 - "$out" "$section" <<'END'
+import json, sys
+report = json.load(open(sys.argv[1]))
+axis, row = sys.argv[2].split("=")
+front, top, side, free, section = report["cells"]
+beside, third = (front, section) if row == "front" else (top, free)
+assert section["view"] == "section" and section["pixels_per_unit"] == front["pixels_per_unit"]
+assert (section["row"], third["column"], third["row"]) == (beside["row"], 2, front["row"]), report["cells"]
+like = {"x": side, "y": front, "z": top}[axis]
+size = lambda b: (b[2] - b[0], b[3] - b[1])
+assert all(abs(a - b) <= 1 for a, b in zip(size(section["pixel_bounds"]), size(like["pixel_bounds"]))), (section, like)
+assert [abs(n) for n in report["cuts"][0][:3]] == [axis == k for k in "xyz"] and len(report["cuts"]) == 1
+END
+        check "letters: $(grep -o 'aria-label="A[^"]*"' a.svg)" \
+            [ "$(grep -o 'aria-label="A[^"]*"' a.svg | sort | tr '\n' ' ')" = 'aria-label="A" aria-label="A" aria-label="A-A" ' ]
+        check "one cut face" [ "$(grep -c evenodd a.svg)" = 1 ]
+    done
+done
 expect 2 'burnish: --views: first-angle is a whole sheet; omit the other views' render :sphere --views=top,first-angle
 expect 2 'burnish: --lobe: a sheet of aligned views shows one lobe; omit the others' render :sphere --views=third-angle --lobe=power,schlick
 expect 2 'burnish: --camera-orthographic: aligned views are parallel; omit the flag' render :sphere --views=third-angle --camera-orthographic=no

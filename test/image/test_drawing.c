@@ -379,26 +379,35 @@ static void check_layout(const burnish_projection *projection) {
     const burnish_projection_area *front = &cells[BURNISH_PROJECTION_FRONT],
                                   *top = &cells[BURNISH_PROJECTION_TOP];
     const burnish_projection_area *side = &cells[BURNISH_PROJECTION_SIDE];
-    const burnish_projection_area *free = &cells[BURNISH_PROJECTION_PICTORIAL];
+    const int is_top = projection->section == 2;
+    const burnish_projection_area *free =
+        &cells[is_top ? BURNISH_PROJECTION_SECTION : BURNISH_PROJECTION_PICTORIAL];
+    const burnish_projection_area *third =
+        &cells[is_top ? BURNISH_PROJECTION_PICTORIAL : BURNISH_PROJECTION_SECTION];
     const int is_first = projection->method == BURNISH_PROJECTION_FIRST_ANGLE;
     CHECK1(front->x == top->x && front->width == top->width && front->y == side->y &&
            front->height == side->height && side->x == front->x + front->width &&
-           free->x == side->x && free->y == top->y && free->width == side->width &&
-           free->height == top->height);
+           free->x == side->x && free->y == top->y && free->width == side->width + third->width &&
+           free->height == top->height && third->x == side->x + side->width &&
+           third->y == side->y && third->height == side->height &&
+           (third->width > 0) == (projection->section > 0));
     CHECK1(top->y == (is_first ? front->y + front->height : front->y - top->height));
-    CHECK1(front->x >= 0 && side->x + side->width <= projection->width &&
+    CHECK1(front->x >= 0 && free->x + free->width <= projection->width &&
            (is_first ? top : front)->y + (is_first ? top : front)->height <= projection->height);
     const double s = projection->pixels_per_unit;
     CHECK1(s * projection->extents[0] < front->width &&
            s * projection->extents[1] < front->height && s * projection->extents[2] < side->width &&
            s * projection->extents[2] < top->height);
+    CHECK1(projection->section == 0 || s * projection->extents[projection->section == 1 ? 2 : 0] <
+                                           cells[BURNISH_PROJECTION_SECTION].width);
 }
 
 /* Layouts of many objects and sheets. Scales on paper are those of ISO 5455. */
 static void test_projection_layout(void) {
     uint64_t state = test_seed(1);
     for (int i = 0; i < 400; ++i) {
-        burnish_projection projection = {.method = i % 2, .width = 300 + 7 * i, .height = 900};
+        burnish_projection projection = {
+            .method = i % 2, .width = 300 + 7 * i, .height = 900, .section = i % 5 % 4};
         for (int k = 0; k < 3; ++k) {
             projection.extents[k] =
                 i % 7 == k ? 0 : pow(10, (double)(test_random32(&state) % 1000) / 200 - 2);
@@ -436,7 +445,8 @@ static void test_projection(void) {
                                      .height = 600,
                                      .extents = {40, 20, 30},
                                      .pixels_per_millimetre = 3,
-                                     .method = BURNISH_PROJECTION_FIRST_ANGLE};
+                                     .method = BURNISH_PROJECTION_FIRST_ANGLE,
+                                     .section = 3};
     burnish_image images[BURNISH_PROJECTION_VIEWS], picture = {0};
     const burnish_image *views[BURNISH_PROJECTION_VIEWS];
     burnish_drawing *drawings[BURNISH_PROJECTION_VIEWS], *drawing;
@@ -455,7 +465,7 @@ static void test_projection(void) {
     burnish_image drawn = draw_svg(text, projection.width, projection.height);
     CHECK(count_differences(&picture, &drawn, 8) < 40, "%zu values differ",
           count_differences(&picture, &drawn, 8));
-    CHECK1(strstr(text, "aria-label=\"a&lt;b\"") && strstr(text, "aria-label=\"2:1\""));
+    CHECK1(strstr(text, "aria-label=\"a&lt;b\"") && strstr(text, "aria-label=\"1:1\""));
     burnish_release(NULL, text);
     burnish_drawing_destroy(drawing);
     for (int i = 0; i < BURNISH_PROJECTION_VIEWS; ++i) {

@@ -29,11 +29,11 @@ static burnish_annotate_options make_annotations(const render_result *result,
 burnish_status render_annotate(render_result *result, render_cell *cell, const float *depth,
                                burnish_error *error) {
     const render_settings *settings = result->settings;
-    if (!settings->picture.annotations || render_is_calibrated(settings)) {
+    const burnish_annotate_options annotations = make_annotations(result, cell, depth);
+    if (!annotations.kinds) {
         return BURNISH_STATUS_OK;
     }
     const burnish_pixels pixels = burnish_image_get_pixels(&cell->image);
-    const burnish_annotate_options annotations = make_annotations(result, cell, depth);
     size_t left_out = 0;
     const burnish_status status =
         burnish_annotate(result->mesh, &annotations, &cell->camera, &pixels, &left_out, error);

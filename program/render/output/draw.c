@@ -7,6 +7,7 @@
 #include "picture/formats.h"
 #include "render/output/projection.h"
 #include "render/scene/cameras.h"
+#include "render/scene/prepare.h"
 
 /* ---- A cell ---- */
 
@@ -192,6 +193,12 @@ static burnish_status draw_planes(render_result *result, burnish_error *error) {
                                            &result->planes, error);
 }
 
+static burnish_status cut_section(render_result *result, burnish_error *error) {
+    const render_scene scene = {
+        .settings = result->settings, .mesh = result->mesh, .warnings = &result->warnings};
+    return render_cut_section(&scene, error);
+}
+
 burnish_status render_draw_picture(render_result *result, burnish_error *error) {
     const render_settings *settings = result->settings;
     const int progress = result->cell_count > 1 && !settings->job.quiet && isatty(STDERR_FILENO);
@@ -208,7 +215,10 @@ burnish_status render_draw_picture(render_result *result, burnish_error *error) 
             fprintf(stderr, "\rburnish: %zu of %zu: %s\033[K", i + 1, result->cell_count,
                     cell->label);
         }
-        status = render_draw_cell(result, cell, error);
+        if (cell->view == VIEW_SECTION && render_is_projection(settings)) { /* the last one */
+            status = cut_section(result, error);
+        }
+        status = status == BURNISH_STATUS_OK ? render_draw_cell(result, cell, error) : status;
     }
     if (progress) {
         fprintf(stderr, "\r\033[K");

@@ -38,7 +38,17 @@ burnish_status render_check_projection(render_settings *settings, burnish_error 
     return BURNISH_STATUS_OK;
 }
 
-/* The three views show the same scale with the object in the middle; the pictorial view has it too
+/* 1, 2, 3: across width, height or depth of the front view; 0: no section. */
+static int section_across(const render_result *result) {
+    int axes[3], across = 0;
+    render_axes(result->mesh, &result->settings->camera, axes);
+    for (int k = 0; k < 3; ++k) {
+        across = axes[k] == result->settings->input.section.axis - 1 ? k + 1 : across;
+    }
+    return across;
+}
+
+/* The other views show the same scale with the object in the middle; the pictorial view has it too
  * if it fits its cell. */
 static burnish_status aim_view(render_result *result, size_t i, burnish_error *error) {
     render_settings settings = *result->settings;
@@ -72,6 +82,9 @@ void render_aim_projection(const render_result *result, const render_cell *cell,
         (result->settings->shading.hidden_lines ? BURNISH_EDGES_HIDDEN : 0) |
         (result->settings->shading.center_lines ? BURNISH_EDGES_CENTERS : 0);
     options->edges = is_pictorial ? options->edges & ~hidden : options->edges | hidden;
+    if (cell->view == VIEW_SECTION) { /* what is cut away hides nothing */
+        options->edges &= ~(burnish_edge_flags)BURNISH_EDGES_HIDDEN;
+    }
 }
 
 burnish_status render_lay_out_projection(render_result *result, burnish_error *error) {
@@ -83,7 +96,8 @@ burnish_status render_lay_out_projection(render_result *result, burnish_error *e
                                            : BURNISH_PROJECTION_THIRD_ANGLE,
                              .width = settings->picture.size[0],
                              .height = settings->picture.size[1],
-                             .pixels_per_millimetre = settings->output.dots_per_inch.value / 25.4};
+                             .pixels_per_millimetre = settings->output.dots_per_inch.value / 25.4,
+                             .section = section_across(result)};
     render_extents(result->mesh, &settings->camera, projection->extents);
     burnish_status status = burnish_projection_lay_out(projection, error);
     for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
@@ -99,17 +113,30 @@ void render_limit_annotations(const render_result *result, const render_cell *ce
     int axes[3]; /* of width, height, depth */
     render_axes(result->mesh, &result->settings->camera, axes);
     annotations->text_height = result->projection.text_height;
-    annotations->kinds &= i == BURNISH_PROJECTION_FRONT  ? ~(unsigned)BURNISH_ANNOTATION_AXES
-                          : i == BURNISH_PROJECTION_SIDE ? BURNISH_ANNOTATION_DIMENSIONS
-                          : i == BURNISH_PROJECTION_TOP  ? 0
-                                                         : BURNISH_ANNOTATION_AXES;
+    annotations->kinds &= i == BURNISH_PROJECTION_FRONT       ? ~(unsigned)BURNISH_ANNOTATION_AXES
+                          : i == BURNISH_PROJECTION_SIDE      ? BURNISH_ANNOTATION_DIMENSIONS
+                          : i == BURNISH_PROJECTION_PICTORIAL ? BURNISH_ANNOTATION_AXES
+                                                              : 0;
+    const size_t parent =
+        result->projection.section == 3 ? BURNISH_PROJECTION_TOP : BURNISH_PROJECTION_FRONT;
+    if (result->projection.section > 0 && (i == BURNISH_PROJECTION_SECTION || i == parent)) {
+        annotations->kinds |= BURNISH_ANNOTATION_SECTION;
+        annotations->section = result->settings->input.section.plane;
+    }
     annotations->lengths =
         i == BURNISH_PROJECTION_SIDE ? 1U << axes[2] : 1U << axes[0] | 1U << axes[1];
 }
 
 size_t render_projection_place(const render_result *result, size_t cell) {
-    static const uint8_t places[2][BURNISH_PROJECTION_VIEWS] = {{2, 0, 3, 1}, {0, 2, 1, 3}};
-    return places[result->projection.method == BURNISH_PROJECTION_FIRST_ANGLE][cell];
+    const size_t front = result->projection.method == BURNISH_PROJECTION_THIRD_ANGLE;
+    const size_t third =
+        result->projection.section == 2 ? BURNISH_PROJECTION_PICTORIAL : BURNISH_PROJECTION_SECTION;
+    const size_t is_in_front =
+        cell == BURNISH_PROJECTION_FRONT || cell == BURNISH_PROJECTION_SIDE || cell == third;
+    const size_t column = cell == third                                                        ? 2
+                          : cell == BURNISH_PROJECTION_FRONT || cell == BURNISH_PROJECTION_TOP ? 0
+                                                                                               : 1;
+    return (is_in_front ? front : 1 - front) * (size_t)result->columns + column;
 }
 
 static const char *title(const render_result *result) {
@@ -118,8 +145,8 @@ static const char *title(const render_result *result) {
 
 burnish_status render_compose_projection(const render_result *result, const uint8_t ink[3],
                                          burnish_image *image, burnish_error *error) {
-    const burnish_image *views[BURNISH_PROJECTION_VIEWS];
-    for (int i = 0; i < BURNISH_PROJECTION_VIEWS; ++i) {
+    const burnish_image *views[BURNISH_PROJECTION_VIEWS] = {0};
+    for (size_t i = 0; i < result->cell_count; ++i) {
         views[i] = &result->cells[i].image;
     }
     return burnish_projection_image(&result->projection, title(result), views,
@@ -128,8 +155,8 @@ burnish_status render_compose_projection(const render_result *result, const uint
 
 burnish_status render_join_projection(const render_result *result, const uint8_t ink[3],
                                       burnish_drawing **drawing, burnish_error *error) {
-    burnish_drawing *views[BURNISH_PROJECTION_VIEWS];
-    for (int i = 0; i < BURNISH_PROJECTION_VIEWS; ++i) {
+    burnish_drawing *views[BURNISH_PROJECTION_VIEWS] = {0};
+    for (size_t i = 0; i < result->cell_count; ++i) {
         views[i] = result->cells[i].drawing;
     }
     return burnish_projection_drawing(&result->projection, title(result), views, ink, drawing,

@@ -27,16 +27,16 @@ enum { LEAST_SIDE = 240, CIRCLE = 48 };
 /* ---- Layout ---- */
 
 /* Pixels per unit at which `wide` and `deep` fit next to each other, with room around both; the
- * second has at least PICTORIAL_SHARE. */
-static double fit_views(double side, double room, double wide, double deep) {
+ * second has at least `share` of the side. */
+static double fit_views(double side, double room, double wide, double deep, double share) {
     const double both = (side - 4 * room) / (wide + deep);
-    const double one = wide > 0 ? ((1 - PICTORIAL_SHARE) * side - 2 * room) / wide : both;
+    const double one = wide > 0 ? ((1 - share) * side - 2 * room) / wide : both;
     return one < both ? one : both;
 }
 
 /* The first is deep or wide, with room; the rest is shared. */
-static int divide_side(double side, double room, double wide, double deep) {
-    const double least = PICTORIAL_SHARE * side, second = deep + 2 * room;
+static int divide_side(double side, double room, double wide, double deep, double share) {
+    const double least = share * side, second = deep + 2 * room;
     const double rest = side - (wide + 2 * room) - (second > least ? second : least);
     return (int)(wide + 2 * room + rest / 2);
 }
@@ -65,6 +65,10 @@ static double standard_scale(double limit, char *text, size_t size) {
     return limit;
 }
 
+static int count_views(const burnish_projection *projection) {
+    return projection->section > 0 ? BURNISH_PROJECTION_VIEWS : BURNISH_PROJECTION_SECTION;
+}
+
 static burnish_status check_projection(const burnish_projection *projection, burnish_error *error) {
     double sum = 0;
     if (projection->width < LEAST_SIDE || projection->height < LEAST_SIDE ||
@@ -86,17 +90,20 @@ static burnish_status check_projection(const burnish_projection *projection, bur
                                   "sheet: an object without extent; aligned views need a size");
 }
 
-static void lay_out(burnish_projection *projection) {
-    const double shorter =
-        projection->width < projection->height ? projection->width : projection->height;
-    const double text = shorter / TEXT_SHARE;
-    const double *size = projection->extents;
-    projection->text_height = text > TEXT_LEAST ? (double)(int)(text + 0.5) : TEXT_LEAST;
-    const double border = BORDER * projection->text_height, room = ROOM * projection->text_height;
-    const double wide = projection->width - 2 * border;
-    const double high = projection->height - 2 * border - STRIP * projection->text_height;
-    const double x = fit_views(wide, room, size[0], size[2]),
-                 y = fit_views(high, room, size[1], size[2]);
+/* The shares of the page: its frame without the strip, and the third column. */
+typedef struct page {
+    int left, top, wide, high;
+    double room;  /* around a view */
+    double third; /* units that the third column is wide: of the section, or of the pictorial view
+                     if the section is next to the top view; -1: there is none */
+} page;
+
+static void choose_scale(burnish_projection *projection, const page *on) {
+    const double *size = projection->extents, room = on->room;
+    const double y = fit_views(on->high, room, size[1], size[2], PICTORIAL_SHARE);
+    const double x = on->third >= 0
+                         ? fit_views(on->wide - 2 * room, room, size[0] + on->third, size[2], 0)
+                         : fit_views(on->wide, room, size[0], size[2], PICTORIAL_SHARE);
     projection->pixels_per_unit = x < y ? x : y;
     projection->scale[0] = 0;
     if (projection->pixels_per_millimetre > 0) {
@@ -105,22 +112,52 @@ static void lay_out(burnish_projection *projection) {
             standard_scale(projection->pixels_per_unit / projection->pixels_per_millimetre,
                            projection->scale, sizeof projection->scale);
     }
-    const double s = projection->pixels_per_unit;
-    const int left = (int)border, top = (int)border;
-    const int column = divide_side(wide, room, s * size[0], s * size[2]);
-    const int row = divide_side(high, room, s * size[1], s * size[2]);
+}
+
+/* Front and side view share a row, whose third column is the section's; pictorial and top view share
+ * the other. A section across the height is in the pictorial view's place, which takes its. */
+static void place_cells(burnish_projection *projection, const page *on) {
+    const double *size = projection->extents, s = projection->pixels_per_unit, room = on->room;
+    const double needed = s * (size[0] + size[2] + on->third) + 6 * room;
+    const double spare = needed < on->wide ? (on->wide - needed) / 3 : 0;
+    const int third = on->third >= 0 ? (int)(s * on->third + 2 * room + spare) : 0;
+    const double share = third > 0 ? 0 : PICTORIAL_SHARE;
+    const int column = divide_side(on->wide - third, room, s * size[0], s * size[2], share);
+    const int row = divide_side(on->high, room, s * size[1], s * size[2], PICTORIAL_SHARE);
     const int is_first = projection->method == BURNISH_PROJECTION_FIRST_ANGLE;
-    const int other = (int)high - row;
-    const int front = is_first ? top : top + other, behind = is_first ? top + row : top;
-    const int right = (int)wide - column;
-    projection->cells[BURNISH_PROJECTION_FRONT] =
-        (burnish_projection_area){left, front, column, row};
-    projection->cells[BURNISH_PROJECTION_SIDE] =
-        (burnish_projection_area){left + column, front, right, row};
-    projection->cells[BURNISH_PROJECTION_TOP] =
-        (burnish_projection_area){left, behind, column, other};
-    projection->cells[BURNISH_PROJECTION_PICTORIAL] =
-        (burnish_projection_area){left + column, behind, right, other};
+    const int other = on->high - row, left = on->left, x = left + column;
+    const int front = is_first ? on->top : on->top + other;
+    const int behind = is_first ? on->top + row : on->top;
+    const int right = on->wide - third - column;
+    const int is_top = projection->section == 2;
+    burnish_projection_area *cells = projection->cells;
+    cells[BURNISH_PROJECTION_FRONT] = (burnish_projection_area){left, front, column, row};
+    cells[BURNISH_PROJECTION_SIDE] = (burnish_projection_area){x, front, right, row};
+    cells[BURNISH_PROJECTION_TOP] = (burnish_projection_area){left, behind, column, other};
+    cells[is_top ? BURNISH_PROJECTION_SECTION : BURNISH_PROJECTION_PICTORIAL] =
+        (burnish_projection_area){x, behind, right + third, other};
+    cells[is_top ? BURNISH_PROJECTION_PICTORIAL : BURNISH_PROJECTION_SECTION] =
+        (burnish_projection_area){x + right, front, third, row};
+}
+
+static void lay_out(burnish_projection *projection) {
+    const double shorter =
+        projection->width < projection->height ? projection->width : projection->height;
+    const double text = shorter / TEXT_SHARE;
+    const int section = projection->section;
+    projection->text_height = text > TEXT_LEAST ? (double)(int)(text + 0.5) : TEXT_LEAST;
+    const double border = BORDER * projection->text_height;
+    const double wide = projection->width - 2 * border;
+    const double high = projection->height - 2 * border - STRIP * projection->text_height;
+    const double room = ROOM * projection->text_height, most = wide / 12;
+    const page on = {(int)border,
+                     (int)border,
+                     (int)wide,
+                     (int)high,
+                     room < most ? room : most,
+                     section > 0 ? projection->extents[section == 1 ? 2 : 0] : -1};
+    choose_scale(projection, &on);
+    place_cells(projection, &on);
 }
 
 burnish_status burnish_projection_lay_out(burnish_projection *projection, burnish_error *error) {
@@ -254,7 +291,7 @@ burnish_status burnish_projection_image(const burnish_projection *projection, co
             pixel[image->channels - 1] = image->channels == 4 ? 255 : background[2];
             pixel += image->channels;
         }
-        for (int i = 0; i < BURNISH_PROJECTION_VIEWS; ++i) {
+        for (int i = 0; i < count_views(projection); ++i) {
             burnish_image_copy(image, projection->cells[i].x, projection->cells[i].y, views[i]);
         }
         make_parts(projection, title, &memory, &made);
@@ -286,7 +323,7 @@ burnish_status burnish_projection_drawing(const burnish_projection *projection, 
         burnish_drawing *to = *drawing;
         parts made;
         burnish_drawing_use(to, error);
-        for (int i = 0; i < BURNISH_PROJECTION_VIEWS; ++i) {
+        for (int i = 0; i < count_views(projection); ++i) {
             burnish_drawing_place(to, views[i], projection->cells[i].x, projection->cells[i].y);
         }
         make_parts(projection, title, &to->memory, &made);
