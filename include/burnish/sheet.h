@@ -133,7 +133,9 @@ typedef struct burnish_projection {
     double pixels_per_millimetre; /* > 0: a unit is a millimetre, and the scale on paper is 1, 2 or
                                      5 times a power of 10, or 1 divided by that (ISO 5455); 0: the
                                      largest scale that fits */
-    int section;                  /* 1, 2, 3: there is one, across width, height or depth */
+    const char *paper; /* "A3": pixels_per_millimetre is above 0, the frame has the margins
+                                     of ISO 5457, and the title block states it; NULL: none */
+    int section;       /* 1, 2, 3: there is one, across width, height or depth */
     /* Set by burnish_projection_lay_out(): */
     double pixels_per_unit; /* of all but the pictorial view */
     char scale[16];         /* "1:2"; "": not a scale on paper */
@@ -146,10 +148,10 @@ typedef struct burnish_projection {
 BURNISH_API burnish_status burnish_projection_lay_out(burnish_projection *projection,
                                                       burnish_error *error);
 
-/* Composes views into an image, with a frame, a title, the scale and the symbol of the method (a
- * truncated cone, ISO 5456-2).
+/* Composes views into an image, with a frame and a title block: title, paper, mm and scale as far
+ * as they are known, and the symbol of the method (a truncated cone, ISO 5456-2).
  *   projection  laid out
- *   title       ASCII; NULL: none
+ *   title       ASCII, cut where the block ends; NULL: none
  *   views       of the sizes of the cells, with equal channels; the section's only if there is one
  *   background  sRGB
  *   ink         sRGB of lines and letters

@@ -40,6 +40,8 @@ static const cli_word view_words[] = {
     {"first-angle", VIEW_FIRST_ANGLE},
     {NULL, 0},
 };
+static const cli_word paper_words[] = {{"a4", 5}, {"a3", 4}, {"a2", 3},
+                                       {"a1", 2}, {"a0", 1}, {NULL, 0}};
 static const cli_word edge_words[] = {{"silhouettes", BURNISH_EDGES_SILHOUETTES},
                                       {"creases", BURNISH_EDGES_CREASES},
                                       {"boundaries", BURNISH_EDGES_BOUNDARIES},
@@ -194,6 +196,13 @@ static const cli_flag flags[] = {
                "*--resolution* is the size of the whole sheet, by default A4 at 144 dots per inch. "
                "*--annotate=dimensions* gives each length once. With *--dpi* a unit is a "
                "millimetre, and the scale on paper is one of ISO 5455, such as 1:2."},
+    {DRAW_FLAG("paper", "SIZE", "page of aligned views", cli_flag_word, picture.paper),
+     .not_for = HEIR_ONE_PICTURE, .words = paper_words, .default_label = "none",
+     .aliases = "page-size,paper-size",
+     .manual =
+         "The page of *--views=third-angle* or *first-angle*, lying on its long side, with the "
+         "margins of ISO 5457, instead of *--resolution*. A unit of the input is a "
+         "millimetre, as with *--dpi*, which is 144 unless it is given."},
     {DRAW_FLAG("annotate", "LIST", "draw measurements", render_flag_annotate, picture.annotations),
      .value_type = CLI_TYPE_WORDS, .not_for = HEIR_COMPARE, .words = annotation_words,
      .off = "none", .aliases = "annotations,axis,grid,dimensions,scale-bar,bounding-box,g,x",

@@ -97,6 +97,8 @@ static size_t list_scene_needs(const render_settings *settings, cli_need *needs)
         {"camera-orthographic-height,zoom,camera-focal-point,columns,labels,no-labels,font",
          !render_is_projection(settings),
          "a sheet of aligned views has its own layout; use other --views"},
+        {"paper", render_is_projection(settings),
+         "only aligned views have a page; use --views=third-angle"},
         {"columns", is_sheet || settings->picture.is_on_sheet,
          "only a sheet has cells; use several --views or lobes"},
         {"labels,no-labels,font", is_sheet, "only a sheet has cells; use several --views or lobes"},

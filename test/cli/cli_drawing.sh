@@ -17,7 +17,7 @@ VALUES = {
     "max-memory": "8000000000G", "max-input-bytes": "1000000", "camera-focal-point": "1,0,0", "camera-direction": "0,0,-1",
     "edges": "creases", "annotate": "axes,box,dimensions,grid", "section": "y",
 }
-UNTRIED = set("""camera-intrinsics output output-dir recursive files-from columns labels font no-labels output-format turntable camera
+UNTRIED = set("""paper camera-intrinsics output output-dir recursive files-from columns labels font no-labels output-format turntable camera
     environment-strength environment-turn center-lines input-format color-map color-range no-legend normals crease-angle
     animation-time animation variant plate joint scene hide only explode thumbnail point-size no-libraries root sandbox reference reference-threshold reference-difference look""".split())
 def value(flag):
@@ -151,6 +151,18 @@ END
         check "one cut face" [ "$(grep -c evenodd a.svg)" = 1 ]
     done
 done
+# Pages have the size of their paper and a title block, which cuts names that are too long.
+cp ../block.obj "a-part-whose-name-is-much-too-long-for-the-title-block-of-a-drawing-on-a-page-of-paper.obj"
+for page in a4=297=210 a3=420=297; do
+    run render a-part*.obj --look=drawing --views=first-angle --paper=${page%%=*} --dpi=254 -o a.svg
+    size=${page#*=}
+    check "a page: $(head -n 1 a.svg)" grep -q "width=\"${size%=*}mm\" height=\"${size#*=}mm\"" a.svg
+    for text in "${page%%=*}" mm '[0-9]*:1' 'a-part-whose-name-.*-the-[^"]*[.][.][.]'; do
+        check "$text in $(grep -o 'aria-label="[^"]*"' a.svg)" grep -qi "aria-label=\"$text\"" a.svg
+    done
+done
+rm a-part*.obj
+expect 2 'burnish: --paper: another flag already sets the size; omit one of them' render ../block.obj --views=third-angle --paper=a4 --size=800
 expect 2 'burnish: --views: first-angle is a whole sheet; omit the other views' render :sphere --views=top,first-angle
 expect 2 'burnish: --lobe: a sheet of aligned views shows one lobe; omit the others' render :sphere --views=third-angle --lobe=power,schlick
 expect 2 'burnish: --camera-orthographic: aligned views are parallel; omit the flag' render :sphere --views=third-angle --camera-orthographic=no
@@ -193,6 +205,7 @@ useless labels "$sheet" --labels=a,b :sphere
 useless font "$sheet" --font=a.ttf :sphere
 useless labels '--no-labels omits the labels; omit it' --labels=a,b --no-labels --views=front,top :sphere
 useless same-scale 'only a sheet has several scales; use several --views or lobes' --same-scale --views=front :sphere
+useless paper 'only aligned views have a page; use --views=third-angle' --paper=a4 :sphere
 values='values of vertices are not shown; use --color-by'
 useless color-map "$values" --color-map=grey :sphere
 useless color-range "$values" --color-range=0:1 :sphere

@@ -413,9 +413,12 @@ static void test_projection_layout(void) {
                 i % 7 == k ? 0 : pow(10, (double)(test_random32(&state) % 1000) / 200 - 2);
         }
         projection.pixels_per_millimetre = i % 4 == 0 ? 5 : 0;
+        projection.paper = i % 8 == 0 ? "A4" : NULL;
         CHECK_OK(burnish_projection_lay_out(&projection, &error), error);
         check_layout(&projection);
         CHECK1((projection.scale[0] != 0) == (i % 4 == 0));
+        CHECK1(projection.text_height >= 2.5 * projection.pixels_per_millimetre);
+        CHECK1(!projection.paper || projection.cells[BURNISH_PROJECTION_FRONT].x == 20 * 5);
     }
     const struct {
         double size;

@@ -9,6 +9,17 @@
 /* The size of the page without --resolution: A4 at 144 dots per inch. */
 enum { PAPER_WIDTH = 1684, PAPER_HEIGHT = 1190 };
 
+/* The size of a page in pixels. */
+static void choose_page(render_settings *settings) {
+    static const int sides[] = {1189, 841, 594, 420, 297, 210}; /* millimetres: A0 to A4 */
+    double *dots = &settings->output.dots_per_inch.value;
+    *dots = *dots > 0 ? *dots : 144;
+    for (int k = 0; k < 2; ++k) {
+        settings->picture.size[k] =
+            (int)(sides[settings->picture.paper - 1 + k] * *dots / 25.4 + 0.5);
+    }
+}
+
 burnish_status render_check_projection(render_settings *settings, burnish_error *error) {
     static const char *const sizes[] = {"resolution", "size", "width", "height"};
     int has_size = 0;
@@ -31,7 +42,13 @@ burnish_status render_check_projection(render_settings *settings, burnish_error 
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
         has_size |= cli_is_given(&render_command, settings, sizes[i]);
     }
-    if (!has_size) {
+    if (settings->picture.paper > 0 && has_size) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--paper: another flag already sets the size; omit one of them");
+    }
+    if (settings->picture.paper > 0) {
+        choose_page(settings);
+    } else if (!has_size) {
         settings->picture.size[0] = PAPER_WIDTH;
         settings->picture.size[1] = PAPER_HEIGHT;
     }
@@ -88,6 +105,7 @@ void render_aim_projection(const render_result *result, const render_cell *cell,
 }
 
 burnish_status render_lay_out_projection(render_result *result, burnish_error *error) {
+    static const char *const papers[] = {NULL, "A0", "A1", "A2", "A3", "A4"};
     const render_settings *settings = result->settings;
     burnish_projection *projection = &result->projection;
     *projection =
@@ -97,6 +115,7 @@ burnish_status render_lay_out_projection(render_result *result, burnish_error *e
                              .width = settings->picture.size[0],
                              .height = settings->picture.size[1],
                              .pixels_per_millimetre = settings->output.dots_per_inch.value / 25.4,
+                             .paper = papers[settings->picture.paper],
                              .section = section_across(result)};
     render_extents(result->mesh, &settings->camera, projection->extents);
     burnish_status status = burnish_projection_lay_out(projection, error);

@@ -193,6 +193,7 @@ typedef struct render_picture_settings {
     burnish_annotation_flags annotations;
 
     render_views views;
+    int paper;          /* 1 + its number in the series A; 0: none */
     int columns;        /* 0: chosen by the number of cells */
     int is_on_sheet;    /* 1: a batch has a sheet of all pictures */
     const char *labels; /* NULL: names of views and lobes */

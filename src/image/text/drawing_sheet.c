@@ -19,6 +19,13 @@
 #define TEXT_SHARE 60.0 /* a capital is the shorter side of the page by this, ... */
 #define TEXT_LEAST 9    /* ... at least so many pixels */
 
+/* Millimetres: heights of capitals (ISO 3098), margins (ISO 5457), the title block (ISO 7200). */
+#define TEXT_SMALLEST 2.5
+#define TEXT_LARGEST 3.5
+#define MARGIN_LEFT 20
+#define MARGIN 10
+#define BLOCK 180
+
 /* The pictorial view has at least this share of both sides. */
 #define PICTORIAL_SHARE 0.3
 
@@ -90,6 +97,30 @@ static burnish_status check_projection(const burnish_projection *projection, bur
                                   "sheet: an object without extent; aligned views need a size");
 }
 
+/* From the edges of the page to its frame. */
+typedef struct border {
+    double left, other;
+} border;
+
+static border border_of(const burnish_projection *projection) {
+    const double usual = BORDER * projection->text_height;
+    const double pixels = projection->pixels_per_millimetre;
+    return projection->paper ? (border){MARGIN_LEFT * pixels, MARGIN * pixels}
+                             : (border){usual, usual};
+}
+
+static double text_height_of(const burnish_projection *projection) {
+    const double shorter =
+        projection->width < projection->height ? projection->width : projection->height;
+    const double pixels = projection->pixels_per_millimetre;
+    double text = shorter / TEXT_SHARE;
+    if (pixels > 0) {
+        text = text < TEXT_LARGEST * pixels ? text : TEXT_LARGEST * pixels;
+        text = text > TEXT_SMALLEST * pixels ? text : TEXT_SMALLEST * pixels + 0.5;
+    }
+    return text > TEXT_LEAST ? (double)(int)(text + 0.5) : TEXT_LEAST;
+}
+
 /* The shares of the page: its frame without the strip, and the third column. */
 typedef struct page {
     int left, top, wide, high;
@@ -141,17 +172,14 @@ static void place_cells(burnish_projection *projection, const page *on) {
 }
 
 static void lay_out(burnish_projection *projection) {
-    const double shorter =
-        projection->width < projection->height ? projection->width : projection->height;
-    const double text = shorter / TEXT_SHARE;
     const int section = projection->section;
-    projection->text_height = text > TEXT_LEAST ? (double)(int)(text + 0.5) : TEXT_LEAST;
-    const double border = BORDER * projection->text_height;
-    const double wide = projection->width - 2 * border;
-    const double high = projection->height - 2 * border - STRIP * projection->text_height;
-    const double room = ROOM * projection->text_height, most = wide / 12;
-    const page on = {(int)border,
-                     (int)border,
+    projection->text_height = text_height_of(projection);
+    const border around = border_of(projection);
+    const double wide = projection->width - around.left - around.other;
+    const double high = projection->height - 2 * around.other - STRIP * projection->text_height;
+    const double room = ROOM * projection->text_height, most = (wide < high ? wide : high) / 12;
+    const page on = {(int)around.left,
+                     (int)around.other,
                      (int)wide,
                      (int)high,
                      room < most ? room : most,
@@ -221,52 +249,92 @@ static void push_symbol(burnish_stroke_list *to, const burnish_projection *proje
     push_line(to, (double[2]){x, middle - r - over}, (double[2]){x, middle + r + over}, width / 2);
 }
 
-/* Centred in the strip. */
-static void push_text(burnish_stroke_list *to, const burnish_projection *projection, double left,
-                      double middle, const char *text) {
+/* The frame and the fields of the title block (ISO 7200), each a path that is named by its text. */
+enum { FRAME, TITLE, PAPER, UNIT, SCALE, PARTS };
+
+typedef struct parts {
+    burnish_stroke_list strokes[PARTS];
+    const char *texts[PARTS]; /* NULL: none */
+    char title[128];
+} parts;
+
+static double width_of(const burnish_projection *projection, const char *text) {
+    static const uint8_t unused[3] = {0};
+    return (double)burnish_text_draw(NULL, 0, 0, (float)projection->text_height, unused, text,
+                                     strlen(text));
+}
+
+/* Copies a title, and cuts it where it is wider than the room. */
+static void fit_title(const burnish_projection *projection, const char *title, double room,
+                      char text[128]) {
+    size_t length = strlen(title) < 124 ? strlen(title) : 124;
+    memcpy(text, title, length);
+    strcpy(text + length, title[length] ? "..." : "");
+    while (length > 0 && width_of(projection, text) > room) {
+        do { /* whole characters of UTF-8 */
+            --length;
+        } while (length > 0 && ((unsigned char)title[length] & 0xC0) == 0x80);
+        strcpy(text + length, "...");
+    }
+}
+
+static void push_text(const burnish_projection *projection, double left, double middle, int part,
+                      parts *made) {
+    const char *text = made->texts[part];
     burnish_text_strokes((float)left, (float)(int)(middle + projection->text_height / 2),
                          (float)projection->text_height, text, strlen(text),
-                         burnish_stroke_list_append, to);
+                         burnish_stroke_list_append, &made->strokes[part]);
 }
 
-static void push_frame(burnish_stroke_list *to, const burnish_projection *projection) {
-    const double text = projection->text_height, left = (int)(BORDER * text) + 0.5, top = left;
-    const double right = projection->width - left, bottom = projection->height - top;
-    const double line = (double)(int)(bottom - STRIP * text) + 0.5;
-    const double points[4][2] = {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
-    const double width = text > 16 ? (double)(int)(text / 8) : 1;
-    push_polygon(to, points, 4, width);
-    push_line(to, (double[2]){left, line}, (double[2]){right, line}, width);
+/* From the right: the symbol, then fields that have a text, between lines. On paper, the block is as
+ * wide as ISO 7200 has it, if the page is wider. */
+static void push_block(const burnish_projection *projection, const double frame[4], double width,
+                       const char *title, parts *made) {
+    const double text = projection->text_height, top = (double)(int)(frame[3] - STRIP * text) + 0.5;
+    const double middle = (top + frame[3]) / 2, symbol = frame[2] - 2 * text;
+    const double block = frame[2] - BLOCK * projection->pixels_per_millimetre;
+    const double left = projection->paper && block > frame[0] ? (double)(int)block + 0.5 : frame[0];
+    burnish_stroke_list *lines = &made->strokes[FRAME];
+    double x = (double)(int)(symbol - 6 * SYMBOL * text - text) + 0.5;
+    push_symbol(lines, projection, symbol, middle, text > 16 ? text / 8 : 1.5);
+    push_line(lines, (double[2]){left, top}, (double[2]){frame[2], top}, width);
+    push_line(lines, (double[2]){left, top}, (double[2]){left, frame[3]}, width);
+    for (int i = SCALE; i > TITLE; --i) {
+        if (made->texts[i]) {
+            push_line(lines, (double[2]){x, top}, (double[2]){x, frame[3]}, width);
+            x = (double)(int)(x - width_of(projection, made->texts[i]) - 2 * text) + 0.5;
+            push_text(projection, x + text, middle, i, made);
+        }
+    }
+    push_line(lines, (double[2]){x, top}, (double[2]){x, frame[3]}, width);
+    if (title) {
+        fit_title(projection, title, x - left - 2 * text, made->title);
+        made->texts[TITLE] = made->title;
+        push_text(projection, left + text, middle, TITLE, made);
+    }
 }
-
-/* Each in a path of its own, which a drawing names by its text. */
-typedef struct parts {
-    burnish_stroke_list frame, title, scale;
-    const char *name;
-} parts;
 
 static void make_parts(const burnish_projection *projection, const char *title,
                        burnish_memory *memory, parts *made) {
-    static const uint8_t unused[3] = {0};
-    const double text = projection->text_height, border = BORDER * text;
-    const double middle = projection->height - border - STRIP * text / 2;
-    const double symbol = projection->width - border - 2 * text;
-    *made = (parts){{.memory = memory}, {.memory = memory}, {.memory = memory}, title};
-    push_frame(&made->frame, projection);
-    push_symbol(&made->frame, projection, symbol, middle, text > 16 ? text / 8 : 1.5);
-    if (title) {
-        push_text(&made->title, projection, border + text, middle, title);
+    const double text = projection->text_height;
+    const border around = border_of(projection);
+    const double left = (int)around.left + 0.5, top = (int)around.other + 0.5;
+    const double right = projection->width - top, bottom = projection->height - top;
+    const double corners[4][2] = {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
+    const double width = text > 16 ? (double)(int)(text / 8) : 1;
+    *made = (parts){.texts = {[PAPER] = projection->paper,
+                              [UNIT] = projection->pixels_per_millimetre > 0 ? "mm" : NULL,
+                              [SCALE] = *projection->scale ? projection->scale : NULL}};
+    for (int i = 0; i < PARTS; ++i) {
+        made->strokes[i].memory = memory;
     }
-    const double wide = (double)burnish_text_draw(NULL, 0, 0, (float)text, unused,
-                                                  projection->scale, strlen(projection->scale));
-    push_text(&made->scale, projection, symbol - 7 * SYMBOL * text - 2 * text - wide, middle,
-              projection->scale);
+    push_polygon(&made->strokes[FRAME], corners, 4, width);
+    push_block(projection, (double[4]){left, top, right, bottom}, width, title, made);
 }
 
 static void release_parts(parts *made) {
-    burnish_stroke_list *const all[] = {&made->frame, &made->title, &made->scale};
-    for (int i = 0; i < 3; ++i) {
-        burnish_release(all[i]->memory->context, all[i]->items);
+    for (int i = 0; i < PARTS; ++i) {
+        burnish_release(made->strokes[i].memory->context, made->strokes[i].items);
     }
 }
 
@@ -295,9 +363,9 @@ burnish_status burnish_projection_image(const burnish_projection *projection, co
             burnish_image_copy(image, projection->cells[i].x, projection->cells[i].y, views[i]);
         }
         make_parts(projection, title, &memory, &made);
-        burnish_stroke_list *const all[] = {&made.frame, &made.title, &made.scale};
-        for (int i = 0; i < 3 && memory.status == BURNISH_STATUS_OK; ++i) {
-            burnish_strokes_draw(&pixels, all[i]->items, all[i]->count, &color, NULL, &memory);
+        for (int i = 0; i < PARTS && memory.status == BURNISH_STATUS_OK; ++i) {
+            burnish_strokes_draw(&pixels, made.strokes[i].items, made.strokes[i].count, &color,
+                                 NULL, &memory);
         }
         release_parts(&made);
         status = memory.status;
@@ -328,9 +396,10 @@ burnish_status burnish_projection_drawing(const burnish_projection *projection, 
         }
         make_parts(projection, title, &to->memory, &made);
         burnish_drawing_open(to, ink, 1);
-        burnish_drawing_strokes(to, made.frame.items, made.frame.count, NULL);
-        burnish_drawing_strokes(to, made.title.items, made.title.count, title);
-        burnish_drawing_strokes(to, made.scale.items, made.scale.count, projection->scale);
+        for (int i = 0; i < PARTS; ++i) {
+            burnish_drawing_strokes(to, made.strokes[i].items, made.strokes[i].count,
+                                    made.texts[i]);
+        }
         burnish_drawing_close(to);
         release_parts(&made);
         status = to->memory.status;
