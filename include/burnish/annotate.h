@@ -40,7 +40,10 @@ enum {
     BURNISH_ANNOTATION_GRID = 16,      /* ground lines 1, 2 or 5 times a power of 10 apart */
     BURNISH_ANNOTATION_SECTION = 32, /* of the plane `section`: arrows and letters where a parallel
                                         view looks along it, "A-A" where it looks at it */
-    BURNISH_ANNOTATION_ALL = 63
+    BURNISH_ANNOTATION_HOLES = 64,   /* diameters of holes and cylinders that are seen end on, and
+                                          positions from the left and the lower edge of the box;
+                                          burnish_annotate_inset() leaves them no room */
+    BURNISH_ANNOTATION_ALL = 127
 };
 
 /* Options for annotations. Start from burnish_annotate_options_default(). */

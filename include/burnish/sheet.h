@@ -24,7 +24,7 @@ extern "C" {
  *   x, y    left end of the baseline, in pixels from the top left corner
  *   height  of a capital letter in pixels, at least 5
  *   color   sRGB
- *   text    ASCII 32 to 126; other characters become '?'
+ *   text    ASCII 32 to 126, and \u00d8 as the sign of a diameter; others become '?'
  * Returns the advance in pixels. */
 BURNISH_API float burnish_image_draw_text(burnish_image *image, float x, float y, float height,
                                           const uint8_t color[3], const char *text);

@@ -198,7 +198,6 @@ static const cli_flag flags[] = {
                "millimetre, and the scale on paper is one of ISO 5455, such as 1:2."},
     {DRAW_FLAG("paper", "SIZE", "page of aligned views", cli_flag_word, picture.paper),
      .not_for = HEIR_ONE_PICTURE, .words = paper_words, .default_label = "none",
-     .aliases = "page-size,paper-size",
      .manual =
          "The page of *--views=third-angle* or *first-angle*, lying on its long side, with the "
          "margins of ISO 5457, instead of *--resolution*. A unit of the input is a "

@@ -220,11 +220,12 @@ static burnish_status set_options(const cli_command *command, session_options op
     return status;
 }
 
-/* The settings of one picture. */
-static burnish_status set_drawing(session_options options, render_settings *settings, char **texts,
-                                  burnish_error *error) {
+/* The settings of one picture of a mesh, which can have a section. */
+static burnish_status set_drawing(session_options options, render_section section,
+                                  render_settings *settings, char **texts, burnish_error *error) {
     memset(settings, 0, sizeof *settings);
     burnish_status status = set_options(&draw_command, options, settings, texts, error);
+    settings->input.section = section;
     const int views = settings->picture.views.count > 1;
     if (status == BURNISH_STATUS_OK && (views || settings->shading.lobes.count > 1)) {
         status =
@@ -237,7 +238,8 @@ static burnish_status set_drawing(session_options options, render_settings *sett
 burnish_status session_check(session_options options, burnish_error *error) {
     render_settings settings;
     char *texts = NULL;
-    const burnish_status status = set_drawing(options, &settings, &texts, error);
+    const burnish_status status =
+        set_drawing(options, (render_section){0}, &settings, &texts, error);
     free(texts);
     if (status != BURNISH_STATUS_OK) {
         rename_flags(error->text, NULL, options.naming);
@@ -517,7 +519,7 @@ burnish_status session_draw(session *s, session_options options, burnish_error *
     release_planes(&s->planes);
     render_drop_warnings(&s->result.warnings, s->loading_warnings);
     s->final_warnings = s->loading_warnings;
-    burnish_status status = set_drawing(options, &s->settings, &s->texts, error);
+    burnish_status status = set_drawing(options, s->section, &s->settings, &s->texts, error);
     s->settings.input.name = s->name;
     s->coloring.no_legend = s->settings.input.coloring.no_legend;
     s->settings.input.coloring = s->coloring;
@@ -525,8 +527,6 @@ burnish_status session_draw(session *s, session_options options, burnish_error *
     s->settings.camera.stands_otherwise = s->stance.stands_otherwise;
     s->settings.camera.flat_axis = s->stance.flat_axis;
     memcpy(s->settings.camera.slant, s->stance.slant, sizeof s->stance.slant);
-    s->settings.input.section = s->section;
-    render_turn_to_section(&s->settings);
     s->settings.input.load.strict = s->is_strict;
     if (status == BURNISH_STATUS_OK) {
         status = warn_useless(s, error);

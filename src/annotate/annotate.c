@@ -14,6 +14,8 @@
 
 #define COOKIE BURNISH_COOKIE(0x414e4e31, burnish_annotate_options)
 
+#define ARROW_HALF 0.17 /* half an arrow's width, in heights of a capital */
+
 /* The largest share of the space between the margins that is taken on one side. */
 #define LARGEST_INSET 0.3
 
@@ -78,6 +80,9 @@ burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view,
     if (kinds & BURNISH_ANNOTATION_DIMENSIONS) {
         burnish_annotate_dimensions(view, list);
     }
+    if (kinds & BURNISH_ANNOTATION_HOLES && bounded) {
+        burnish_annotate_holes(view, list);
+    }
     burnish_annotate_marks(view, kinds, list);
     if (kinds & BURNISH_ANNOTATION_BOX) {
         burnish_annotate_box(view, list);
@@ -94,24 +99,8 @@ burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view,
 static void measure_overflow(const burnish_annotation_view *view,
                              const burnish_annotation_list *list, double overflow[4]) {
     const double border = 0.5 * view->text;
-    burnish_area all = {view->width, view->height, 0, 0};
-    for (size_t i = 0; i < list->line_count; ++i) {
-        const burnish_stroke *s = &list->lines[i].stroke;
-        for (int end = 0; end < 2; ++end) {
-            const double x = (double)(end ? s->x1 : s->x0), y = (double)(end ? s->y1 : s->y0);
-            all.left = x < all.left ? x : all.left;
-            all.right = x > all.right ? x : all.right;
-            all.top = y < all.top ? y : all.top;
-            all.bottom = y > all.bottom ? y : all.bottom;
-        }
-    }
-    for (size_t i = 0; i < list->label_count; ++i) {
-        const burnish_area *area = &list->labels[i].area;
-        all.left = area->left < all.left ? area->left : all.left;
-        all.right = area->right > all.right ? area->right : all.right;
-        all.top = area->top < all.top ? area->top : all.top;
-        all.bottom = area->bottom > all.bottom ? area->bottom : all.bottom;
-    }
+    const burnish_area all =
+        burnish_annotation_bounds(list, (burnish_area){view->width, view->height, 0, 0}, 0);
     overflow[0] = border - all.left;
     overflow[1] = all.right - (view->width - border);
     overflow[2] = all.bottom - (view->height - border);
@@ -271,27 +260,6 @@ static palette choose_palette(const burnish_annotate_options *annotations) {
     return made;
 }
 
-/* Strokes of one figure. */
-typedef struct strokes {
-    burnish_stroke *items;
-    size_t count, capacity;
-    burnish_memory *memory;
-} strokes;
-
-static void push_stroke(strokes *to, burnish_stroke stroke) {
-    to->items = burnish_reserve(to->memory, to->items, &to->capacity, to->count + 1,
-                                sizeof *to->items, "strokes of annotations");
-    if (to->memory->status == BURNISH_STATUS_OK) {
-        to->items[to->count++] = stroke;
-    }
-}
-
-static void push_glyph(void *context, const burnish_stroke *items, size_t count) {
-    for (size_t i = 0; i < count; ++i) {
-        push_stroke(context, items[i]);
-    }
-}
-
 /* The middle of whole pixels, or the border between two, for a line of that width. */
 static float snapped_to_pixels(float value, float width) {
     const int odd = (int)(width + 0.5F) % 2;
@@ -312,18 +280,19 @@ static burnish_stroke sharpened_stroke(burnish_stroke stroke) {
 
 /* The strokes of a layer, or of LINES and all after it, each thickened by `rim` on both sides. */
 static void gather_strokes(const burnish_annotation_list *list, int first, int last, float rim,
-                           float text_height, strokes *to) {
+                           float text_height, burnish_stroke_list *to) {
     to->count = 0;
     for (size_t i = 0; i < list->line_count; ++i) {
         if ((int)list->lines[i].layer >= first && (int)list->lines[i].layer <= last) {
-            push_stroke(to, sharpened_stroke(list->lines[i].stroke));
+            const burnish_stroke sharpened = sharpened_stroke(list->lines[i].stroke);
+            burnish_stroke_list_append(to, &sharpened, 1);
         }
     }
     for (size_t i = 0; i < list->label_count; ++i) {
         const burnish_annotation_label *label = &list->labels[i];
         if ((int)label->layer >= first && (int)label->layer <= last) {
             burnish_text_strokes((float)label->x, (float)label->baseline, text_height, label->text,
-                                 strlen(label->text), push_glyph, to);
+                                 strlen(label->text), burnish_stroke_list_append, to);
         }
     }
     for (size_t i = 0; i < to->count; ++i) {
@@ -340,7 +309,8 @@ typedef struct canvas {
 
 /* A layer of a drawing: its lines, then each label as a path with its text as attribute. */
 static void add_layer(const burnish_annotation_view *view, const burnish_annotation_list *list,
-                      int first, int last, float rim, strokes *figure, burnish_drawing *drawing) {
+                      int first, int last, float rim, burnish_stroke_list *figure,
+                      burnish_drawing *drawing) {
     burnish_annotation_list part = *list;
     part.label_count = 0;
     gather_strokes(&part, first, last, rim, (float)view->text, figure);
@@ -359,7 +329,7 @@ static void add_layer(const burnish_annotation_view *view, const burnish_annotat
 static burnish_status draw_list(const burnish_annotation_view *view,
                                 const burnish_annotation_list *list, const palette *colors,
                                 const canvas *to, burnish_memory *memory) {
-    strokes figure = {.memory = memory};
+    burnish_stroke_list figure = {.memory = memory};
     burnish_status status = BURNISH_STATUS_OK;
     for (int layer = 0; layer <= BURNISH_LAYER_COUNT && status == BURNISH_STATUS_OK; ++layer) {
         const int is_rim = layer == BURNISH_LAYER_LINES;
@@ -465,8 +435,58 @@ void burnish_annotation_add_line(burnish_annotation_list *list, burnish_point a,
         {(float)a.x, (float)a.y, (float)b.x, (float)b.y, (float)(width / 2)}, layer};
 }
 
-/* The nearest whole number. From 2^52 on all are whole; a camera within the object sees as far. */
-static double whole_pixel(double value) {
+void burnish_annotation_add_arrow(const burnish_annotation_view *view, burnish_point tip,
+                                  burnish_point d, burnish_annotation_list *list) {
+    const double half = ARROW_HALF * view->text, width = half > 1.5 ? 0.8 * half : view->line;
+    const burnish_point across = {d.y, -d.x}, start = burnish_moved_along(tip, d, view->line / 2);
+    const burnish_point base = burnish_moved_along(tip, d, BURNISH_ARROW_LENGTH * view->text);
+    for (int i = -2; i <= 2; ++i) {
+        burnish_annotation_add_line(list, start, burnish_moved_along(base, across, half * i / 2),
+                                    width, BURNISH_LAYER_LINES);
+    }
+}
+
+void burnish_annotation_take(burnish_annotation_list *list, const burnish_annotation_list *made,
+                             burnish_point by) {
+    for (size_t i = 0; i < made->line_count; ++i) {
+        const burnish_stroke *s = &made->lines[i].stroke;
+        burnish_annotation_add_line(list,
+                                    (burnish_point){(double)s->x0 + by.x, (double)s->y0 + by.y},
+                                    (burnish_point){(double)s->x1 + by.x, (double)s->y1 + by.y},
+                                    2 * (double)s->radius, made->lines[i].layer);
+    }
+    for (size_t i = 0; i < made->label_count; ++i) {
+        burnish_annotation_label *label = &list->labels[list->label_count++];
+        *label = made->labels[i];
+        label->x += by.x;
+        label->baseline += by.y;
+        label->area = burnish_area_moved(label->area, by);
+    }
+}
+
+void burnish_area_widen(burnish_area *all, burnish_area area) {
+    all->left = area.left < all->left ? area.left : all->left;
+    all->top = area.top < all->top ? area.top : all->top;
+    all->right = area.right > all->right ? area.right : all->right;
+    all->bottom = area.bottom > all->bottom ? area.bottom : all->bottom;
+}
+
+burnish_area burnish_annotation_bounds(const burnish_annotation_list *list, burnish_area area,
+                                       int with_width) {
+    for (size_t i = 0; i < list->line_count; ++i) {
+        const burnish_stroke *s = &list->lines[i].stroke;
+        const double x0 = (double)s->x0, y0 = (double)s->y0, x1 = (double)s->x1, y1 = (double)s->y1;
+        const double half = with_width ? (double)s->radius : 0;
+        burnish_area_widen(&area, burnish_area_grown((burnish_area){x0, y0, x0, y0}, half));
+        burnish_area_widen(&area, burnish_area_grown((burnish_area){x1, y1, x1, y1}, half));
+    }
+    for (size_t i = 0; i < list->label_count; ++i) {
+        burnish_area_widen(&area, list->labels[i].area);
+    }
+    return area;
+}
+
+double burnish_whole_pixel(double value) {
     if (!(value > -0x1p52 && value < 0x1p52)) {
         return value;
     }
@@ -482,11 +502,21 @@ burnish_annotation_label burnish_annotation_label_at(const burnish_annotation_vi
     memcpy(label.text, text, length + 1);
     const double width =
         burnish_text_draw(NULL, 0, 0, (float)view->text, unused, label.text, length);
-    label.x = whole_pixel(middle.x - width / 2);
-    label.baseline = whole_pixel(middle.y + view->text / 2);
+    label.x = burnish_whole_pixel(middle.x - width / 2);
+    label.baseline = burnish_whole_pixel(middle.y + view->text / 2);
     label.area =
         (burnish_area){label.x, label.baseline - view->text, label.x + width, label.baseline};
     return label;
+}
+
+int burnish_annotation_hits_label(const burnish_annotation_list *list, burnish_point a,
+                                  burnish_point b, double clear) {
+    int hits = 0;
+    for (size_t i = 0; i < list->label_count; ++i) {
+        const burnish_area area = burnish_area_grown(list->labels[i].area, clear);
+        hits |= burnish_segment_hits(a, b, &area);
+    }
+    return hits;
 }
 
 int burnish_annotation_is_free(const burnish_annotation_list *list, const burnish_area *area) {

@@ -4,29 +4,16 @@
 #include "annotate/annotate.h"
 
 /* Of the height of a capital. */
-#define ARROW_HALF 0.17 /* half an arrow's width */
-#define CLEAR 0.3       /* between the object's box and the wide ends */
-#define END 1.0         /* length of these */
-#define SHAFT 1.9       /* of an arrow, with its head */
-#define BESIDE 0.8      /* from its tail to the middle of the letter */
-#define ABOVE 1.3       /* from the box to the middle of the name */
+#define CLEAR 0.3  /* between the object's box and the wide ends */
+#define END 0.8    /* length of these */
+#define SHAFT 1.9  /* of an arrow, with its head */
+#define BESIDE 0.8 /* from its tail to the middle of the letter */
+#define ABOVE 1.3  /* from the box to the middle of the name */
 #define DASH 1.6
 #define GAP 0.35
 
 #define EDGE_ON 1e-3 /* how far from 1 a cosine can be */
-
-void burnish_annotation_arrow(const burnish_annotation_view *view, burnish_point tip,
-                              burnish_point d, burnish_point ends[BURNISH_ARROW_LINES][2],
-                              double *width) {
-    const double half = ARROW_HALF * view->text;
-    const burnish_point across = {d.y, -d.x};
-    const burnish_point base = burnish_moved_along(tip, d, BURNISH_ARROW_LENGTH * view->text);
-    for (int i = 0; i < BURNISH_ARROW_LINES; ++i) {
-        ends[i][0] = burnish_moved_along(tip, d, view->line / 2);
-        ends[i][1] = burnish_moved_along(base, across, half * (i - 2) / 2);
-    }
-    *width = half > 1.5 ? 0.8 * half : view->line;
-}
+#define FARTHEST 1e5 /* pixels that a chain line is long */
 
 /* The chain line, below other lines and without a rim, so edges of the object stay. */
 static void add_chain(const burnish_annotation_view *view, burnish_point from, burnish_point along,
@@ -51,16 +38,11 @@ static void add_end(const burnish_annotation_view *view, burnish_point at, burni
     const burnish_point from = burnish_moved_along(at, out, CLEAR * text);
     const burnish_point tip = burnish_moved_along(from, out, END * text / 2);
     const burnish_point tail = burnish_moved_along(tip, d, SHAFT * text);
-    burnish_point ends[BURNISH_ARROW_LINES][2];
-    double width;
-    burnish_annotation_arrow(view, tip, d, ends, &width);
     burnish_annotation_add_line(list, from, burnish_moved_along(from, out, END * text),
                                 2 * view->line, BURNISH_LAYER_LINES);
-    burnish_annotation_add_line(list, ends[BURNISH_ARROW_LINES / 2][1], tail, view->line,
-                                BURNISH_LAYER_LINES);
-    for (int i = 0; i < BURNISH_ARROW_LINES; ++i) {
-        burnish_annotation_add_line(list, ends[i][0], ends[i][1], width, BURNISH_LAYER_LINES);
-    }
+    burnish_annotation_add_line(list, burnish_moved_along(tip, d, BURNISH_ARROW_LENGTH * text),
+                                tail, view->line, BURNISH_LAYER_LINES);
+    burnish_annotation_add_arrow(view, tip, d, list);
     list->labels[list->label_count++] = burnish_annotation_label_at(
         view, "A", burnish_moved_along(tail, d, BESIDE * text), BURNISH_LAYER_LINES);
 }
@@ -75,7 +57,7 @@ void burnish_annotate_section(const burnish_annotation_view *view, burnish_annot
     const burnish_point d = {burnish_vec3_dot(normal, view->right),
                              -burnish_vec3_dot(normal, view->up)};
     const burnish_point along = {-d.y, d.x};
-    double depth, low = 0, high = 0, top = view->height;
+    double depth, low = 0, high = 0;
     const burnish_point on = burnish_annotation_project(
         view,
         burnish_vec3_add(middle, burnish_vec3_scale(normal, view->section.offset -
@@ -85,9 +67,8 @@ void burnish_annotate_section(const burnish_annotation_view *view, burnish_annot
         const burnish_point away = {view->corners[i].x - on.x, view->corners[i].y - on.y};
         low = dot(away, along) < low ? dot(away, along) : low;
         high = dot(away, along) > high ? dot(away, along) : high;
-        top = view->corners[i].y < top ? view->corners[i].y : top;
     }
-    if (view->parallel && dot(d, d) > 1 - EDGE_ON) {
+    if (view->parallel && dot(d, d) > 1 - EDGE_ON && high - low < FARTHEST) {
         const burnish_point ends[2] = {burnish_moved_along(on, along, low),
                                        burnish_moved_along(on, along, high)};
         add_end(view, ends[0], (burnish_point){-along.x, -along.y}, d, list);
@@ -96,6 +77,7 @@ void burnish_annotate_section(const burnish_annotation_view *view, burnish_annot
                   high - low + 2 * CLEAR * view->text, list);
     } else if (view->parallel && burnish_vec3_dot(normal, view->forward) < EDGE_ON - 1) {
         list->labels[list->label_count++] = burnish_annotation_label_at(
-            view, "A-A", (burnish_point){on.x, top - ABOVE * view->text}, BURNISH_LAYER_LINES);
+            view, "A-A", (burnish_point){on.x, view->box.top - ABOVE * view->text},
+            BURNISH_LAYER_LINES);
     }
 }

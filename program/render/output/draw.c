@@ -18,8 +18,10 @@ static burnish_status draw_mesh(const render_result *result, render_cell *cell, 
     const burnish_render_options *options = result->options;
     const int rows = options->row_count ? options->row_count : options->height;
     const size_t width = (size_t)options->width, height = (size_t)rows;
-    const int needs_depth = (result->settings->picture.annotations &
-                             (BURNISH_ANNOTATION_BOX | BURNISH_ANNOTATION_GRID)) != 0;
+    const int has_holes = render_is_projection(result->settings);
+    const unsigned behind = BURNISH_ANNOTATION_BOX | BURNISH_ANNOTATION_GRID |
+                            (has_holes ? BURNISH_ANNOTATION_DIMENSIONS : 0);
+    const int needs_depth = (result->settings->picture.annotations & behind) != 0;
     const int needs_coverage = options->counts == BURNISH_COUNTS_AREA && options->ground;
     *depth = NULL;
     if (!needs_depth && !needs_coverage) {
@@ -193,12 +195,6 @@ static burnish_status draw_planes(render_result *result, burnish_error *error) {
                                            &result->planes, error);
 }
 
-static burnish_status cut_section(render_result *result, burnish_error *error) {
-    const render_scene scene = {
-        .settings = result->settings, .mesh = result->mesh, .warnings = &result->warnings};
-    return render_cut_section(&scene, error);
-}
-
 burnish_status render_draw_picture(render_result *result, burnish_error *error) {
     const render_settings *settings = result->settings;
     const int progress = result->cell_count > 1 && !settings->job.quiet && isatty(STDERR_FILENO);
@@ -216,7 +212,9 @@ burnish_status render_draw_picture(render_result *result, burnish_error *error) 
                     cell->label);
         }
         if (cell->view == VIEW_SECTION && render_is_projection(settings)) { /* the last one */
-            status = cut_section(result, error);
+            const render_scene scene = {
+                .settings = result->settings, .mesh = result->mesh, .warnings = &result->warnings};
+            status = render_cut_section(&scene, error);
         }
         status = status == BURNISH_STATUS_OK ? render_draw_cell(result, cell, error) : status;
     }

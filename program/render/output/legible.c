@@ -13,15 +13,9 @@ enum {
 
 /* The first flag given that aims or cuts; NULL: none. */
 static const char *find_aim(const render_settings *settings) {
-    static const char *const flags[] = {"camera-position",
-                                        "camera-focal-point",
-                                        "camera",
-                                        "camera-orthographic-height",
-                                        "zoom",
-                                        "margin",
-                                        "same-scale",
-                                        "clip",
-                                        "section"};
+    static const char *const flags[] = {
+        "camera-position", "camera-focal-point", "camera", "camera-orthographic-height", "zoom",
+        "margin",          "same-scale",         "clip"};
     for (size_t i = 0; i < sizeof flags / sizeof *flags; ++i) {
         if (cli_is_given(&render_command, settings, flags[i])) {
             return flags[i];

@@ -42,10 +42,6 @@ burnish_status render_check_projection(render_settings *settings, burnish_error 
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
         has_size |= cli_is_given(&render_command, settings, sizes[i]);
     }
-    if (settings->picture.paper > 0 && has_size) {
-        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "--paper: another flag already sets the size; omit one of them");
-    }
     if (settings->picture.paper > 0) {
         choose_page(settings);
     } else if (!has_size) {
@@ -53,16 +49,6 @@ burnish_status render_check_projection(render_settings *settings, burnish_error 
         settings->picture.size[1] = PAPER_HEIGHT;
     }
     return BURNISH_STATUS_OK;
-}
-
-/* 1, 2, 3: across width, height or depth of the front view; 0: no section. */
-static int section_across(const render_result *result) {
-    int axes[3], across = 0;
-    render_axes(result->mesh, &result->settings->camera, axes);
-    for (int k = 0; k < 3; ++k) {
-        across = axes[k] == result->settings->input.section.axis - 1 ? k + 1 : across;
-    }
-    return across;
 }
 
 /* The other views show the same scale with the object in the middle; the pictorial view has it too
@@ -89,25 +75,24 @@ static burnish_status aim_view(render_result *result, size_t i, burnish_error *e
     return status;
 }
 
-/* A pictorial view has neither hidden lines nor centre lines. */
+/* A pictorial view has neither hidden lines nor centre lines, a section no hidden lines. */
 void render_aim_projection(const render_result *result, const render_cell *cell,
                            burnish_render_options *options) {
     const int is_pictorial = cell - result->cells == BURNISH_PROJECTION_PICTORIAL;
     options->width = cell->image.width;
     options->height = cell->image.height;
+    const int has_hidden = result->settings->shading.hidden_lines && cell->view != VIEW_SECTION;
     const burnish_edge_flags hidden =
-        (result->settings->shading.hidden_lines ? BURNISH_EDGES_HIDDEN : 0) |
+        (has_hidden ? BURNISH_EDGES_HIDDEN : 0) |
         (result->settings->shading.center_lines ? BURNISH_EDGES_CENTERS : 0);
     options->edges = is_pictorial ? options->edges & ~hidden : options->edges | hidden;
-    if (cell->view == VIEW_SECTION) { /* what is cut away hides nothing */
-        options->edges &= ~(burnish_edge_flags)BURNISH_EDGES_HIDDEN;
-    }
 }
 
 burnish_status render_lay_out_projection(render_result *result, burnish_error *error) {
     static const char *const papers[] = {NULL, "A0", "A1", "A2", "A3", "A4"};
     const render_settings *settings = result->settings;
     burnish_projection *projection = &result->projection;
+    int axes[3];
     *projection =
         (burnish_projection){.method = settings->picture.views.layout == VIEW_FIRST_ANGLE
                                            ? BURNISH_PROJECTION_FIRST_ANGLE
@@ -115,8 +100,11 @@ burnish_status render_lay_out_projection(render_result *result, burnish_error *e
                              .width = settings->picture.size[0],
                              .height = settings->picture.size[1],
                              .pixels_per_millimetre = settings->output.dots_per_inch.value / 25.4,
-                             .paper = papers[settings->picture.paper],
-                             .section = section_across(result)};
+                             .paper = papers[settings->picture.paper]};
+    render_axes(result->mesh, &settings->camera, axes);
+    for (int k = 0; k < 3; ++k) {
+        projection->section += axes[k] == settings->input.section.axis - 1 ? k + 1 : 0;
+    }
     render_extents(result->mesh, &settings->camera, projection->extents);
     burnish_status status = burnish_projection_lay_out(projection, error);
     for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
@@ -132,10 +120,15 @@ void render_limit_annotations(const render_result *result, const render_cell *ce
     int axes[3]; /* of width, height, depth */
     render_axes(result->mesh, &result->settings->camera, axes);
     annotations->text_height = result->projection.text_height;
+    const unsigned holes =
+        i < BURNISH_PROJECTION_PICTORIAL && (annotations->kinds & BURNISH_ANNOTATION_DIMENSIONS)
+            ? BURNISH_ANNOTATION_HOLES
+            : 0;
     annotations->kinds &= i == BURNISH_PROJECTION_FRONT       ? ~(unsigned)BURNISH_ANNOTATION_AXES
                           : i == BURNISH_PROJECTION_SIDE      ? BURNISH_ANNOTATION_DIMENSIONS
                           : i == BURNISH_PROJECTION_PICTORIAL ? BURNISH_ANNOTATION_AXES
                                                               : 0;
+    annotations->kinds |= holes;
     const size_t parent =
         result->projection.section == 3 ? BURNISH_PROJECTION_TOP : BURNISH_PROJECTION_FRONT;
     if (result->projection.section > 0 && (i == BURNISH_PROJECTION_SECTION || i == parent)) {
@@ -147,15 +140,13 @@ void render_limit_annotations(const render_result *result, const render_cell *ce
 }
 
 size_t render_projection_place(const render_result *result, size_t cell) {
-    const size_t front = result->projection.method == BURNISH_PROJECTION_THIRD_ANGLE;
-    const size_t third =
-        result->projection.section == 2 ? BURNISH_PROJECTION_PICTORIAL : BURNISH_PROJECTION_SECTION;
-    const size_t is_in_front =
-        cell == BURNISH_PROJECTION_FRONT || cell == BURNISH_PROJECTION_SIDE || cell == third;
-    const size_t column = cell == third                                                        ? 2
-                          : cell == BURNISH_PROJECTION_FRONT || cell == BURNISH_PROJECTION_TOP ? 0
-                                                                                               : 1;
-    return (is_in_front ? front : 1 - front) * (size_t)result->columns + column;
+    const burnish_projection_area *cells = result->projection.cells, *at = &cells[cell];
+    const size_t row =
+        at->y > cells[BURNISH_PROJECTION_FRONT].y || at->y > cells[BURNISH_PROJECTION_TOP].y;
+    const size_t column = at->x == cells[BURNISH_PROJECTION_FRONT].x  ? 0
+                          : at->x == cells[BURNISH_PROJECTION_SIDE].x ? 1
+                                                                      : 2;
+    return row * (size_t)result->columns + column;
 }
 
 static const char *title(const render_result *result) {

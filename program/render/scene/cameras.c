@@ -334,25 +334,13 @@ render_view render_section_view(const burnish_mesh *mesh, const render_settings 
                                 double toward[3]) {
     const render_section *section = &settings->input.section;
     const frame *axes = frame_in_use(mesh, &settings->camera);
-    int view = VIEW_FRONT; /* of two views along an axis, the one that drawings show comes first */
-    for (; view < VIEW_BOTTOM; ++view) {
-        combine(axes, views[view].toward, 1, toward);
-        const double side = toward[section->axis - 1];
-        if (section->sign == 0 ? side != 0 : side * section->sign > 0) {
-            return (render_view)view;
-        }
+    int view = VIEW_FREE; /* of two views along an axis, the one that drawings show comes first */
+    double side = 0;
+    while (view < VIEW_BOTTOM && !(section->sign == 0 ? side != 0 : side * section->sign > 0)) {
+        combine(axes, views[++view].toward, 1, toward);
+        side = toward[section->axis - 1];
     }
-    combine(axes, views[view].toward, 1, toward);
     return (render_view)view;
-}
-
-void render_turn_to_section(render_settings *settings) {
-    const render_camera_settings *camera = &settings->camera;
-    render_views *shown = &settings->picture.views;
-    if (settings->input.section.axis > 0 && shown->count == 0 && !camera->own &&
-        !camera->position.given && !has_own_view(camera)) {
-        shown->items[shown->count++] = VIEW_SECTION;
-    }
 }
 
 /* The default view: three-quarter, or the standard view that shows a flat object face on. */

@@ -20,9 +20,6 @@ void render_extents(const burnish_mesh *mesh, const render_camera_settings *came
 render_view render_section_view(const burnish_mesh *mesh, const render_settings *settings,
                                 double toward[3]);
 
-/* Makes it the only view if there is none, and neither a camera. */
-void render_turn_to_section(render_settings *settings);
-
 /* The camera of one view of the mesh. room->inset receives the insets of the framing. */
 burnish_status render_camera(const burnish_mesh *mesh, const render_settings *settings,
                              render_view view, render_room *room, burnish_camera *camera,

@@ -112,9 +112,6 @@ static burnish_status section_mesh(const render_scene *scene, burnish_error *err
     render_section *section = &scene->settings->input.section;
     const burnish_mesh_view *view = burnish_mesh_get_view(scene->mesh);
     const int k = section->axis - 1;
-    if (k < 0) {
-        return BURNISH_STATUS_OK;
-    }
     const double low = (double)view->bounds_min[k], high = (double)view->bounds_max[k];
     const double at =
         section->offset.given ? section->offset.value - view->origin[k] : (low + high) / 2;
@@ -212,7 +209,9 @@ burnish_status render_prepare_mesh(render_scene *scene, burnish_error *error) {
     move_cuts(&settings->input.clip, burnish_mesh_get_view(scene->mesh)->origin);
     render_set_stance(scene->mesh, &settings->camera); /* the whole object's */
     burnish_status status = cut_mesh(scene, &settings->input.clip, error);
-    status = status == BURNISH_STATUS_OK ? section_mesh(scene, error) : status;
+    if (status == BURNISH_STATUS_OK && settings->input.section.axis > 0) {
+        status = section_mesh(scene, error);
+    }
     return status == BURNISH_STATUS_OK /* colours of what is left, by height above the ground */
                ? render_color(settings, scene->mesh, scene->color_range, error)
                : status;

@@ -228,9 +228,9 @@ burnish_status render_flag_clip(const cli_flag *flag, const char *text, void *ta
 burnish_status render_flag_section(const cli_flag *flag, const char *text, void *target,
                                    burnish_error *error) {
     static const char axes[] = "xyzXYZ";
-    const int sign = *text == '-' ? -1 : *text == '+' ? 1 : 0;
-    const char *axis = sign != 0 ? text + 1 : text, *found = *axis ? strchr(axes, *axis) : NULL;
-    render_section section = {.sign = sign};
+    const char *axis = text + (*text == '-' || *text == '+');
+    const char *found = *axis ? strchr(axes, *axis) : NULL;
+    render_section section = {.sign = *text == '-' ? -1 : *text == '+'};
     section.offset.given = found && axis[1] == ':';
     if (!found ||
         (section.offset.given ? !cli_read_real(axis + 2, strlen(axis + 2), &section.offset.value)

@@ -14,7 +14,7 @@
 /* In heights of a capital. */
 #define BORDER 1.4      /* from the edge of the page to its frame */
 #define STRIP 3.2       /* height of the title's strip */
-#define ROOM 4.0        /* around a view, for dimensions */
+#define ROOM 5.2        /* around a view, for dimensions */
 #define SYMBOL 0.75     /* radius of the symbol's larger circle */
 #define TEXT_SHARE 60.0 /* a capital is the shorter side of the page by this, ... */
 #define TEXT_LEAST 9    /* ... at least so many pixels */
@@ -72,10 +72,6 @@ static double standard_scale(double limit, char *text, size_t size) {
     return limit;
 }
 
-static int count_views(const burnish_projection *projection) {
-    return projection->section > 0 ? BURNISH_PROJECTION_VIEWS : BURNISH_PROJECTION_SECTION;
-}
-
 static burnish_status check_projection(const burnish_projection *projection, burnish_error *error) {
     double sum = 0;
     if (projection->width < LEAST_SIDE || projection->height < LEAST_SIDE ||
@@ -97,16 +93,11 @@ static burnish_status check_projection(const burnish_projection *projection, bur
                                   "sheet: an object without extent; aligned views need a size");
 }
 
-/* From the edges of the page to its frame. */
-typedef struct border {
-    double left, other;
-} border;
-
-static border border_of(const burnish_projection *projection) {
-    const double usual = BORDER * projection->text_height;
-    const double pixels = projection->pixels_per_millimetre;
-    return projection->paper ? (border){MARGIN_LEFT * pixels, MARGIN * pixels}
-                             : (border){usual, usual};
+/* From the left edge of the page to its frame, or from another one, in whole pixels. */
+static int border_of(const burnish_projection *projection, int is_left) {
+    return (int)(projection->paper
+                     ? (is_left ? MARGIN_LEFT : MARGIN) * projection->pixels_per_millimetre
+                     : BORDER * projection->text_height);
 }
 
 static double text_height_of(const burnish_projection *projection) {
@@ -174,14 +165,14 @@ static void place_cells(burnish_projection *projection, const page *on) {
 static void lay_out(burnish_projection *projection) {
     const int section = projection->section;
     projection->text_height = text_height_of(projection);
-    const border around = border_of(projection);
-    const double wide = projection->width - around.left - around.other;
-    const double high = projection->height - 2 * around.other - STRIP * projection->text_height;
-    const double room = ROOM * projection->text_height, most = (wide < high ? wide : high) / 12;
-    const page on = {(int)around.left,
-                     (int)around.other,
-                     (int)wide,
-                     (int)high,
+    const int left = border_of(projection, 1), other = border_of(projection, 0);
+    const int wide = projection->width - left - other;
+    const int high = (int)(projection->height - 2 * other - 0.5 - STRIP * projection->text_height);
+    const double room = ROOM * projection->text_height, most = (wide < high ? wide : high) / 12.0;
+    const page on = {left,
+                     other,
+                     wide,
+                     high,
                      room < most ? room : most,
                      section > 0 ? projection->extents[section == 1 ? 2 : 0] : -1};
     choose_scale(projection, &on);
@@ -255,27 +246,13 @@ enum { FRAME, TITLE, PAPER, UNIT, SCALE, PARTS };
 typedef struct parts {
     burnish_stroke_list strokes[PARTS];
     const char *texts[PARTS]; /* NULL: none */
-    char title[128];
+    char *title;
 } parts;
 
 static double width_of(const burnish_projection *projection, const char *text) {
     static const uint8_t unused[3] = {0};
     return (double)burnish_text_draw(NULL, 0, 0, (float)projection->text_height, unused, text,
                                      strlen(text));
-}
-
-/* Copies a title, and cuts it where it is wider than the room. */
-static void fit_title(const burnish_projection *projection, const char *title, double room,
-                      char text[128]) {
-    size_t length = strlen(title) < 124 ? strlen(title) : 124;
-    memcpy(text, title, length);
-    strcpy(text + length, title[length] ? "..." : "");
-    while (length > 0 && width_of(projection, text) > room) {
-        do { /* whole characters of UTF-8 */
-            --length;
-        } while (length > 0 && ((unsigned char)title[length] & 0xC0) == 0x80);
-        strcpy(text + length, "...");
-    }
 }
 
 static void push_text(const burnish_projection *projection, double left, double middle, int part,
@@ -307,8 +284,10 @@ static void push_block(const burnish_projection *projection, const double frame[
         }
     }
     push_line(lines, (double[2]){x, top}, (double[2]){x, frame[3]}, width);
-    if (title) {
-        fit_title(projection, title, x - left - 2 * text, made->title);
+    made->title = title ? burnish_text_fit(NULL, title, (int)text, (float)(x - left - 2 * text),
+                                           lines->memory)
+                        : NULL;
+    if (made->title) {
         made->texts[TITLE] = made->title;
         push_text(projection, left + text, middle, TITLE, made);
     }
@@ -317,8 +296,7 @@ static void push_block(const burnish_projection *projection, const double frame[
 static void make_parts(const burnish_projection *projection, const char *title,
                        burnish_memory *memory, parts *made) {
     const double text = projection->text_height;
-    const border around = border_of(projection);
-    const double left = (int)around.left + 0.5, top = (int)around.other + 0.5;
+    const double left = border_of(projection, 1) + 0.5, top = border_of(projection, 0) + 0.5;
     const double right = projection->width - top, bottom = projection->height - top;
     const double corners[4][2] = {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
     const double width = text > 16 ? (double)(int)(text / 8) : 1;
@@ -333,6 +311,7 @@ static void make_parts(const burnish_projection *projection, const char *title,
 }
 
 static void release_parts(parts *made) {
+    burnish_release(made->strokes[TITLE].memory->context, made->title);
     for (int i = 0; i < PARTS; ++i) {
         burnish_release(made->strokes[i].memory->context, made->strokes[i].items);
     }
@@ -353,13 +332,8 @@ burnish_status burnish_projection_image(const burnish_projection *projection, co
         parts made;
         const burnish_pixels pixels = burnish_image_get_pixels(image);
         const burnish_ink color = burnish_ink_of(ink, 1);
-        uint8_t *pixel = image->pixels;
-        for (size_t i = 0; i < (size_t)image->width * (size_t)image->height; ++i) {
-            memcpy(pixel, background, 3);
-            pixel[image->channels - 1] = image->channels == 4 ? 255 : background[2];
-            pixel += image->channels;
-        }
-        for (int i = 0; i < count_views(projection); ++i) {
+        burnish_image_fill(image, background);
+        for (int i = 0; i < BURNISH_PROJECTION_SECTION + (projection->section > 0); ++i) {
             burnish_image_copy(image, projection->cells[i].x, projection->cells[i].y, views[i]);
         }
         make_parts(projection, title, &memory, &made);
@@ -391,7 +365,7 @@ burnish_status burnish_projection_drawing(const burnish_projection *projection, 
         burnish_drawing *to = *drawing;
         parts made;
         burnish_drawing_use(to, error);
-        for (int i = 0; i < count_views(projection); ++i) {
+        for (int i = 0; i < BURNISH_PROJECTION_SECTION + (projection->section > 0); ++i) {
             burnish_drawing_place(to, views[i], projection->cells[i].x, projection->cells[i].y);
         }
         make_parts(projection, title, &to->memory, &made);

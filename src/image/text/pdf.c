@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "core/float_mode.h"
 #include "image/text/drawing.h"
+#include "image/text/text.h"
 
 /* Objects: 1 the catalog, 2 the list of pages, 3 the page, 4 its content, 5 the facts. */
 enum { OBJECTS = 5, PERCENT = 100 };
@@ -37,7 +38,7 @@ static void put_color(pdf *w, const uint8_t color[3], const char *operator) {
     put_text(w, operator);
 }
 
-/* A string in parentheses; other characters than ASCII become '?'. */
+/* A string in parentheses; characters beyond ASCII become ?, but for the diameter. */
 static void put_string(pdf *w, const char *text) {
     put_text(w, "(");
     for (; *text; ++text) {
@@ -46,7 +47,8 @@ static void put_string(pdf *w, const char *text) {
             put_text(w, "\\");
         }
         if (((unsigned char)c & 0xC0) != 0x80) { /* once for a character of UTF-8 */
-            burnish_put(&w->out, c >= ' ' && c < 127 ? &c : "?", 1);
+            const int is_diameter = strncmp(text, BURNISH_DIAMETER, 2) == 0;
+            put_text(w, is_diameter ? "\\330" : c >= ' ' && c < 127 ? (char[]){c, 0} : "?");
         }
     }
     put_text(w, ")");
@@ -184,6 +186,7 @@ static void put_page(pdf *w, const burnish_drawing *drawing, double points) {
     burnish_put_decimal(&w->out, (int64_t)(drawing->width * points * 1e4 + 0.5), 4, 1);
     burnish_put_decimal(&w->out, (int64_t)(drawing->height * points * 1e4 + 0.5), 4, 1);
     put_text(w, "] /Resources << /Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica "
+                "/Encoding /WinAnsiEncoding "
                 ">> >> /ExtGState <<");
     for (int i = 0; i <= PERCENT; ++i) {
         if (w->has_opacity[i]) {
