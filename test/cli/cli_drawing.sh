@@ -148,7 +148,9 @@ for angle in third first; do
 done
 run render pins.obj --up=+Z --look=drawing --views=third-angle --size=400 --annotate=dimensions -o a.svg
 check "too small: $(cat "$err")" grep -q 'top has no room for [1-9]' "$err"
-rm pins.obj
+run render pins.obj --up=+Z --look=drawing --views=third-angle --annotate=dimensions -o a.pdf
+check "a diameter in PDF" grep -aqF '(5x \3305) Tj' a.pdf
+rm pins.obj a.pdf
 # A section is one more view, at the same scale, in line with the front or the top view; the others are whole.
 for section in x=front y=front z=top; do
     for angle in third first; do

@@ -526,6 +526,9 @@ static void test_pdf(void) {
     const char *stream = strstr(text, "stream\n") + 7;
     CHECK1(stream + strtoul(strstr(text, "/Length") + 7, NULL, 10) == strstr(text, "endstream"));
     CHECK1(strstr(text, "/MediaBox [0 0 240 180]") && strstr(text, "/Title (a\\(b)"));
+    for (const char *sign = stream; (sign = strchr(sign, '-')); ++sign) {
+        CHECK(sign[-1] == ' ' || sign[-1] == '(', "%.9s is not two numbers", sign - 4);
+    }
     CHECK1(count_text(text, ") Tj") == count_text(svg, "aria-label=") && strstr(text, ") Tj"));
     CHECK(count_operators(stream, 'm', 'm') == count_operators(svg, 'M', 'm') &&
               count_operators(stream, 'm', 'm') > 50,
