@@ -39,7 +39,12 @@ enum {
                                           perspective, which has no scale */
     BURNISH_ANNOTATION_GRID = 16,      /* ground lines 1, 2 or 5 times a power of 10 apart */
     BURNISH_ANNOTATION_CALLOUTS = 32,  /* numbers at the parts, and a list of them on the right */
-    BURNISH_ANNOTATION_ALL = 63
+    BURNISH_ANNOTATION_SECTION = 64, /* of the plane `section`: arrows and letters where a parallel
+                                        view looks along it, "A-A" where it looks at it */
+    BURNISH_ANNOTATION_HOLES = 128,  /* diameters of holes and cylinders that are seen end on, and
+                                          positions from the left and the lower edge of the box;
+                                          burnish_annotate_inset() leaves them no room */
+    BURNISH_ANNOTATION_ALL = 255
 };
 
 /* The most balloons of a picture, and the most entries of a parts list. */
@@ -77,6 +82,7 @@ typedef struct burnish_annotate_options {
     size_t depth_stride;   /* bytes from row to row of depth, a multiple of 4 */
     burnish_callouts *callouts; /* receives the parts list of CALLOUTS; NULL: there are none */
     const uint32_t *triangles; /* ids as in burnish_target, row by row, for balloons; may be NULL */
+    burnish_clip_plane section; /* its normal, of length 1, points to the viewer of the section */
 } burnish_annotate_options;
 
 /* No annotations, a white background. */

@@ -24,7 +24,7 @@ extern "C" {
  *   x, y    left end of the baseline, in pixels from the top left corner
  *   height  of a capital letter in pixels, at least 5
  *   color   sRGB
- *   text    ASCII 32 to 126; other characters become '?'
+ *   text    ASCII 32 to 126, and \u00d8 as the sign of a diameter; others become '?'
  * Returns the advance in pixels. */
 BURNISH_API float burnish_image_draw_text(burnish_image *image, float x, float y, float height,
                                           const uint8_t color[3], const char *text);
@@ -114,6 +114,7 @@ enum {
     BURNISH_PROJECTION_TOP,
     BURNISH_PROJECTION_SIDE,
     BURNISH_PROJECTION_PICTORIAL, /* in the free corner */
+    BURNISH_PROJECTION_SECTION,   /* there is none unless `section` is set */
     BURNISH_PROJECTION_VIEWS
 };
 
@@ -122,7 +123,8 @@ typedef struct burnish_projection_area {
     int x, y, width, height;
 } burnish_projection_area;
 
-/* A page with three aligned views at one scale and a pictorial view. */
+/* A page with three aligned views at one scale, a pictorial view, and possibly a section: right of
+ * the front and side views, or of the top view if it cuts across the height. */
 typedef struct burnish_projection {
     burnish_projection_method method;
     int width, height; /* pixels, from 240 */
@@ -131,8 +133,11 @@ typedef struct burnish_projection {
     double pixels_per_millimetre; /* > 0: a unit is a millimetre, and the scale on paper is 1, 2 or
                                      5 times a power of 10, or 1 divided by that (ISO 5455); 0: the
                                      largest scale that fits */
+    const char *paper; /* "A3": pixels_per_millimetre is above 0, the frame has the margins
+                                     of ISO 5457, and the title block states it; NULL: none */
+    int section;       /* 1, 2, 3: there is one, across width, height or depth */
     /* Set by burnish_projection_lay_out(): */
-    double pixels_per_unit; /* of the three views */
+    double pixels_per_unit; /* of all but the pictorial view */
     char scale[16];         /* "1:2"; "": not a scale on paper */
     double text_height;     /* of a capital, pixels */
     burnish_projection_area
@@ -143,11 +148,11 @@ typedef struct burnish_projection {
 BURNISH_API burnish_status burnish_projection_lay_out(burnish_projection *projection,
                                                       burnish_error *error);
 
-/* Composes views into an image, with a frame, a title, the scale and the symbol of the method (a
- * truncated cone, ISO 5456-2).
+/* Composes views into an image, with a frame and a title block: title, paper, mm and scale as far
+ * as they are known, and the symbol of the method (a truncated cone, ISO 5456-2).
  *   projection  laid out
- *   title       ASCII; NULL: none
- *   views       of the sizes of the cells, with equal channels
+ *   title       ASCII, cut where the block ends; NULL: none
+ *   views       of the sizes of the cells, with equal channels; the section's only if there is one
  *   background  sRGB
  *   ink         sRGB of lines and letters
  *   image       receives the image, empty on error. It uses the context of the first view

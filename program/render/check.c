@@ -256,6 +256,24 @@ static burnish_status check_scale_flags(const render_settings *settings, burnish
     return BURNISH_STATUS_OK;
 }
 
+/* A section sets the camera, or is one more view of a sheet of aligned views. */
+static burnish_status check_section(render_settings *settings, burnish_error *error) {
+    render_views *views = &settings->picture.views;
+    const int is_sheet = render_is_projection(settings);
+    const int is_set = views->count > 0 && views->items[views->count - 1] == VIEW_SECTION;
+    if (settings->input.section.axis == 0 || is_set) {
+        return BURNISH_STATUS_OK;
+    }
+    if (settings->camera.own || (views->count > 0 && !is_sheet)) {
+        return cli_fail(error, BURNISH_STATUS_ARGUMENT,
+                        "--%s: --section already sets the camera; omit one of them, or cut with "
+                        "--clip",
+                        settings->camera.own ? "camera" : "views");
+    }
+    views->items[views->count++] = VIEW_SECTION;
+    return BURNISH_STATUS_OK;
+}
+
 static burnish_status check_camera_flags(const render_settings *settings, burnish_error *error) {
     const char *turn = settings->camera.azimuth.value != 0     ? "azimuth"
                        : settings->camera.elevation.value != 0 ? "elevation"
@@ -269,7 +287,7 @@ static burnish_status check_camera_flags(const render_settings *settings, burnis
         extra = settings->camera.position.given  ? "camera-position"
                 : settings->camera.view_up.given ? "camera-view-up"
                                                  : aim;
-        fixed = "views";
+        fixed = settings->input.section.axis > 0 ? "section" : "views";
     }
     if (!extra) {
         return check_scale_flags(settings, error);
@@ -345,6 +363,7 @@ burnish_status render_check(render_settings *settings, burnish_error *error) {
     settings->input.coloring.no_legend |=
         settings->picture.callouts && render_names_parts(&settings->input.coloring);
     status = status == BURNISH_STATUS_OK ? choose_look(settings, error) : status;
+    status = status == BURNISH_STATUS_OK ? check_section(settings, error) : status;
     return status == BURNISH_STATUS_OK ? check_camera_flags(settings, error) : status;
 }
 

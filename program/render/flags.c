@@ -40,6 +40,8 @@ static const cli_word view_words[] = {
     {"first-angle", VIEW_FIRST_ANGLE},
     {NULL, 0},
 };
+static const cli_word paper_words[] = {{"a4", 5}, {"a3", 4}, {"a2", 3},
+                                       {"a1", 2}, {"a0", 1}, {NULL, 0}};
 static const cli_word edge_words[] = {{"silhouettes", BURNISH_EDGES_SILHOUETTES},
                                       {"creases", BURNISH_EDGES_CREASES},
                                       {"boundaries", BURNISH_EDGES_BOUNDARIES},
@@ -194,6 +196,12 @@ static const cli_flag flags[] = {
                "*--resolution* is the size of the whole sheet, by default A4 at 144 dots per inch. "
                "*--annotate=dimensions* gives each length once. With *--dpi* a unit is a "
                "millimetre, and the scale on paper is one of ISO 5455, such as 1:2."},
+    {DRAW_FLAG("paper", "SIZE", "page of aligned views", cli_flag_word, picture.paper),
+     .not_for = HEIR_ONE_PICTURE, .words = paper_words, .default_label = "none",
+     .manual =
+         "The page of *--views=third-angle* or *first-angle*, lying on its long side, with the "
+         "margins of ISO 5457, instead of *--resolution*. A unit of the input is a "
+         "millimetre, as with *--dpi*, which is 144 unless it is given."},
     {DRAW_FLAG("annotate", "LIST", "draw measurements", render_flag_annotate, picture.annotations),
      .value_type = CLI_TYPE_WORDS, .not_for = HEIR_COMPARE, .words = annotation_words,
      .off = "none", .aliases = "annotations,axis,grid,dimensions,scale-bar,bounding-box,g,x",
@@ -553,8 +561,8 @@ static const cli_flag flags[] = {
     {.group = "Input", .topic = "input", CLI_INPUT_FORMAT_FLAG(render_settings, input.load)},
     {LOAD_FLAG("clip", "X,Y,Z,D", "cut away where X x + Y y + Z z > D; may be repeated",
                render_flag_clip, input.clip),
-     .value_type = CLI_TYPE_VECTOR, .not_for = HEIR_COMPARE,
-     .aliases = "clipping,clip-plane,cut,section", .repeats = 1,
+     .value_type = CLI_TYPE_VECTOR, .not_for = HEIR_COMPARE, .aliases = "clipping,clip-plane,cut",
+     .repeats = 1,
      .manual =
          "Cuts away everything beyond a plane: points with _X_ x + _Y_ y + _Z_ z > _D_, in "
          "the coordinates of the input. *--clip=0,0,1,5* removes everything above z = 5. Can "
@@ -562,6 +570,15 @@ static const cli_flag flags[] = {
          "% and wound consistently, are filled and hatched, parts in different ways; cuts "
          "through other meshes and transparent surfaces are not. The camera frames the "
          "rest."},
+    {LOAD_FLAG("section", "AXIS", "cut and look at the cut: x, -y, z:OFFSET", render_flag_section,
+               input.section),
+     .value_type = CLI_TYPE_TEXT, .not_for = HEIR_COMPARE, .aliases = "cross-section",
+     .manual = "Cuts the object across an axis of the input, _AXIS_ or _AXIS_:_OFFSET_, by default "
+               "in its middle, and looks at the cut square on, from the side of the front, right "
+               "or top view. A sign chooses the side: *--section=-y* takes away what is below, and "
+               "the viewer is there. Cuts are filled as those of *--clip*. A sheet of aligned "
+               "views shows the whole object and one more view, A-A, whose plane and direction "
+               "are marked in the front or top view."},
     {LOAD_FLAG("color-by", "VALUE", "height, normal, part (feature), filament (tool) or a property",
                cli_flag_text, input.coloring.by),
      .not_for = HEIR_COMPARE, .svg = CLI_SVG_REFUSED, .also = "coloring-array,scalars",

@@ -136,7 +136,7 @@ static const cli_term json_terms[] = {
     {"*overdraw*", "how often large triangles cover the picture; see *--max-overdraw*"},
     {"*layers_dropped*", "transparent layers that were omitted at samples with more than 256, or "
                          "with at least 32 if *--max-overdraw* allows no more"},
-    {"*cuts*", "the planes of *--clip* that cut the object, _X_,_Y_,_Z_,_D_ each"},
+    {"*cuts*", "the planes of *--clip* and *--section* that cut it, _X_,_Y_,_Z_,_D_ each"},
     {"*filled*", "true when the cuts are filled"},
     {"*near_white, near_black*",
      "shares of those pixels whose channels are all at least 250, or at most 5"},

@@ -48,8 +48,9 @@ static int is_parallel(const render_settings *settings) {
 /* Whether light and opacity can change pixels. The areas of a drawing are as white as its paper, unless
  * a flag gives either another colour or a shade. */
 static int is_shaded(const render_settings *settings) {
-    static const char shades[] = "color,material,ambient,environment,occlusion,ground,shadow,clip,"
-                                 "background-color,no-background,outline-contrast";
+    static const char shades[] =
+        "color,material,ambient,environment,occlusion,ground,shadow,clip,section,"
+        "background-color,no-background,outline-contrast";
     return settings->shading.look != BURNISH_LOOK_DRAWING || is_any_given(settings, shades);
 }
 
@@ -96,6 +97,11 @@ static size_t list_scene_needs(const render_settings *settings, cli_need *needs)
         {"camera-orthographic-height,zoom,camera-focal-point,columns,labels,no-labels,font",
          !render_is_projection(settings),
          "a sheet of aligned views has its own layout; use other --views"},
+        {"paper", render_is_projection(settings),
+         "only aligned views have a page; use --views=third-angle"},
+        {"resolution,size,width,height",
+         settings->picture.paper == 0 || !render_is_projection(settings),
+         "--paper sets the size of the page; omit one of them"},
         {"columns", is_sheet || settings->picture.is_on_sheet,
          "only a sheet has cells; use several --views or lobes"},
         {"labels,no-labels,font", is_sheet, "only a sheet has cells; use several --views or lobes"},

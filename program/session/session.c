@@ -25,6 +25,7 @@ struct session {
     burnish_mesh *mesh;
     render_camera_settings stance; /* up, stands_otherwise, flat_axis and slant of the mesh */
     render_coloring coloring;      /* of the mesh; has the name itself */
+    render_section section;        /* of the mesh */
     burnish_material *materials;   /* of the input; options of a picture change those of the mesh */
     int is_strict;                 /* as the mesh was opened */
     size_t loading_warnings;       /* count; later warnings are about the picture */
@@ -219,11 +220,12 @@ static burnish_status set_options(const cli_command *command, session_options op
     return status;
 }
 
-/* The settings of one picture. */
-static burnish_status set_drawing(session_options options, render_settings *settings, char **texts,
-                                  burnish_error *error) {
+/* The settings of one picture of a mesh, which can have a section. */
+static burnish_status set_drawing(session_options options, render_section section,
+                                  render_settings *settings, char **texts, burnish_error *error) {
     memset(settings, 0, sizeof *settings);
     burnish_status status = set_options(&draw_command, options, settings, texts, error);
+    settings->input.section = section;
     const int views = settings->picture.views.count > 1;
     if (status == BURNISH_STATUS_OK && (views || settings->shading.lobes.count > 1)) {
         status =
@@ -236,7 +238,8 @@ static burnish_status set_drawing(session_options options, render_settings *sett
 burnish_status session_check(session_options options, burnish_error *error) {
     render_settings settings;
     char *texts = NULL;
-    const burnish_status status = set_drawing(options, &settings, &texts, error);
+    const burnish_status status =
+        set_drawing(options, (render_section){0}, &settings, &texts, error);
     free(texts);
     if (status != BURNISH_STATUS_OK) {
         rename_flags(error->text, NULL, options.naming);
@@ -367,6 +370,7 @@ static burnish_status prepare_mesh(session *s, burnish_status status, burnish_er
     if (status == BURNISH_STATUS_OK) {
         status = render_prepare_mesh(&scene, error);
         s->stance = s->settings.camera;
+        s->section = s->settings.input.section;
         s->coloring = s->settings.input.coloring;
         s->coloring.by = s->coloring.by ? strdup(s->coloring.by) : NULL; /* NULL: no legend */
     }
@@ -515,7 +519,7 @@ burnish_status session_draw(session *s, session_options options, burnish_error *
     release_planes(&s->planes);
     render_drop_warnings(&s->result.warnings, s->loading_warnings);
     s->final_warnings = s->loading_warnings;
-    burnish_status status = set_drawing(options, &s->settings, &s->texts, error);
+    burnish_status status = set_drawing(options, s->section, &s->settings, &s->texts, error);
     s->settings.input.name = s->name;
     s->coloring.no_legend = s->settings.input.coloring.no_legend;
     s->settings.input.coloring = s->coloring;

@@ -14,6 +14,8 @@
 
 #define COOKIE BURNISH_COOKIE(0x414e4e31, burnish_annotate_options)
 
+#define ARROW_HALF 0.17 /* half an arrow's width, in heights of a capital */
+
 /* The largest share of the space between the margins that is taken on one side. */
 #define LARGEST_INSET 0.3
 
@@ -72,11 +74,17 @@ burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view,
                                           burnish_annotation_flags kinds, int bounded,
                                           burnish_memory *memory, burnish_annotation_list *list) {
     *list = (burnish_annotation_list){.bounded = bounded, .memory = memory};
+    if (kinds & BURNISH_ANNOTATION_SECTION) {
+        burnish_annotate_section(view, list);
+    }
     if (kinds & BURNISH_ANNOTATION_DIMENSIONS) {
         burnish_annotate_dimensions(view, list);
     }
     if (view->callouts && view->callouts->count > 0) {
         burnish_annotate_parts_list(view, list);
+    }
+    if (kinds & BURNISH_ANNOTATION_HOLES && bounded) {
+        burnish_annotate_holes(view, list);
     }
     burnish_annotate_marks(view, kinds, list);
     if (view->callouts && view->callouts->count > 0 && view->triangles) {
@@ -97,24 +105,8 @@ burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view,
 static void measure_overflow(const burnish_annotation_view *view,
                              const burnish_annotation_list *list, double overflow[4]) {
     const double border = 0.5 * view->text;
-    burnish_area all = {view->width, view->height, 0, 0};
-    for (size_t i = 0; i < list->line_count; ++i) {
-        const burnish_stroke *s = &list->lines[i].stroke;
-        for (int end = 0; end < 2; ++end) {
-            const double x = (double)(end ? s->x1 : s->x0), y = (double)(end ? s->y1 : s->y0);
-            all.left = x < all.left ? x : all.left;
-            all.right = x > all.right ? x : all.right;
-            all.top = y < all.top ? y : all.top;
-            all.bottom = y > all.bottom ? y : all.bottom;
-        }
-    }
-    for (size_t i = 0; i < list->label_count; ++i) {
-        const burnish_area *area = &list->labels[i].area;
-        all.left = area->left < all.left ? area->left : all.left;
-        all.right = area->right > all.right ? area->right : all.right;
-        all.top = area->top < all.top ? area->top : all.top;
-        all.bottom = area->bottom > all.bottom ? area->bottom : all.bottom;
-    }
+    const burnish_area all =
+        burnish_annotation_bounds(list, (burnish_area){view->width, view->height, 0, 0}, 0);
     overflow[0] = border - all.left;
     overflow[1] = all.right - (view->width - border);
     overflow[2] = all.bottom - (view->height - border);
@@ -472,8 +464,58 @@ void burnish_annotation_release(burnish_annotation_list *list) {
     burnish_release(list->memory->context, list->labels);
 }
 
-/* The nearest whole number. From 2^52 on all are whole; a camera within the object sees as far. */
-static double whole_pixel(double value) {
+void burnish_annotation_add_arrow(const burnish_annotation_view *view, burnish_point tip,
+                                  burnish_point d, burnish_annotation_list *list) {
+    const double half = ARROW_HALF * view->text, width = half > 1.5 ? 0.8 * half : view->line;
+    const burnish_point across = {d.y, -d.x}, start = burnish_moved_along(tip, d, view->line / 2);
+    const burnish_point base = burnish_moved_along(tip, d, BURNISH_ARROW_LENGTH * view->text);
+    for (int i = -2; i <= 2; ++i) {
+        burnish_annotation_add_line(list, start, burnish_moved_along(base, across, half * i / 2),
+                                    width, BURNISH_LAYER_LINES);
+    }
+}
+
+void burnish_annotation_take(burnish_annotation_list *list, const burnish_annotation_list *made,
+                             burnish_point by) {
+    for (size_t i = 0; i < made->line_count; ++i) {
+        const burnish_stroke *s = &made->lines[i].stroke;
+        burnish_annotation_add_line(list,
+                                    (burnish_point){(double)s->x0 + by.x, (double)s->y0 + by.y},
+                                    (burnish_point){(double)s->x1 + by.x, (double)s->y1 + by.y},
+                                    2 * (double)s->radius, made->lines[i].layer);
+    }
+    for (size_t i = 0; i < made->label_count; ++i) {
+        burnish_annotation_label label = made->labels[i];
+        label.x += by.x;
+        label.baseline += by.y;
+        label.area = burnish_area_moved(label.area, by);
+        burnish_annotation_add_label(list, &label);
+    }
+}
+
+void burnish_area_widen(burnish_area *all, burnish_area area) {
+    all->left = area.left < all->left ? area.left : all->left;
+    all->top = area.top < all->top ? area.top : all->top;
+    all->right = area.right > all->right ? area.right : all->right;
+    all->bottom = area.bottom > all->bottom ? area.bottom : all->bottom;
+}
+
+burnish_area burnish_annotation_bounds(const burnish_annotation_list *list, burnish_area area,
+                                       int with_width) {
+    for (size_t i = 0; i < list->line_count; ++i) {
+        const burnish_stroke *s = &list->lines[i].stroke;
+        const double x0 = (double)s->x0, y0 = (double)s->y0, x1 = (double)s->x1, y1 = (double)s->y1;
+        const double half = with_width ? (double)s->radius : 0;
+        burnish_area_widen(&area, burnish_area_grown((burnish_area){x0, y0, x0, y0}, half));
+        burnish_area_widen(&area, burnish_area_grown((burnish_area){x1, y1, x1, y1}, half));
+    }
+    for (size_t i = 0; i < list->label_count; ++i) {
+        burnish_area_widen(&area, list->labels[i].area);
+    }
+    return area;
+}
+
+double burnish_whole_pixel(double value) {
     if (!(value > -0x1p52 && value < 0x1p52)) {
         return value;
     }
@@ -489,11 +531,21 @@ burnish_annotation_label burnish_annotation_label_at(const burnish_annotation_vi
     memcpy(label.text, text, length + 1);
     const double width =
         burnish_text_draw(NULL, 0, 0, (float)view->text, unused, label.text, length);
-    label.x = whole_pixel(middle.x - width / 2);
-    label.baseline = whole_pixel(middle.y + view->text / 2);
+    label.x = burnish_whole_pixel(middle.x - width / 2);
+    label.baseline = burnish_whole_pixel(middle.y + view->text / 2);
     label.area =
         (burnish_area){label.x, label.baseline - view->text, label.x + width, label.baseline};
     return label;
+}
+
+int burnish_annotation_hits_label(const burnish_annotation_list *list, burnish_point a,
+                                  burnish_point b, double clear) {
+    int hits = 0;
+    for (size_t i = 0; i < list->label_count; ++i) {
+        const burnish_area area = burnish_area_grown(list->labels[i].area, clear);
+        hits |= burnish_segment_hits(a, b, &area);
+    }
+    return hits;
 }
 
 int burnish_annotation_is_free(const burnish_annotation_list *list, const burnish_area *area) {

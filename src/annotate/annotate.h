@@ -17,6 +17,10 @@ typedef struct burnish_area {
     double left, top, right, bottom;
 } burnish_area;
 
+/* What burnish_area_widen() starts from. */
+#define BURNISH_AREA_NONE                                                                          \
+    { 1e300, 1e300, -1e300, -1e300 }
+
 /* ---- The view ---- */
 
 typedef struct burnish_annotation_view {
@@ -34,8 +38,11 @@ typedef struct burnish_annotation_view {
     burnish_point corners[8]; /* of the box on the screen; bit a of the index: high in axis a */
     uint32_t lengths;         /* of the axes that are measured: bit a for axis a */
     int corners_seen;         /* 1: all are in front of the camera */
+    burnish_area box;         /* that they span */
     burnish_point hull[8];    /* convex hull of the corners */
     int hull_count;
+    burnish_clip_plane section;
+    const burnish_mesh_view *mesh;
     const float *depth; /* distances that hide; NULL: nothing does */
     size_t depth_stride;
     const uint32_t *triangles; /* ids; NULL: no balloons */
@@ -57,6 +64,9 @@ void burnish_list_parts(const burnish_mesh *mesh, const burnish_annotation_view 
  * perspective must be above 0. */
 burnish_point burnish_annotation_project(const burnish_annotation_view *view, burnish_vec3 p,
                                          double *distance);
+
+/* The axes by decreasing keys. */
+void burnish_order_axes(const double keys[3], int order[3]);
 
 /* The corner of the bounding box whose bits say where it is high. */
 burnish_vec3 burnish_annotation_corner(const burnish_annotation_view *view, int bits);
@@ -120,6 +130,25 @@ void burnish_annotation_add_label(burnish_annotation_list *list,
 
 void burnish_annotation_release(burnish_annotation_list *list);
 
+/* A slim filled triangle: a fan of lines from its tip, which direction d leads away from. */
+#define BURNISH_ARROW_LENGTH 0.9 /* of the height of a capital */
+void burnish_annotation_add_arrow(const burnish_annotation_view *view, burnish_point tip,
+                                  burnish_point d, burnish_annotation_list *list);
+
+/* Adds the lines and labels of another list, moved. */
+void burnish_annotation_take(burnish_annotation_list *list, const burnish_annotation_list *made,
+                             burnish_point by);
+
+void burnish_area_widen(burnish_area *all, burnish_area area);
+
+/* An area widened by lines, with or without their width, and labels. */
+burnish_area burnish_annotation_bounds(const burnish_annotation_list *list, burnish_area area,
+                                       int with_width);
+
+static inline burnish_point burnish_moved_along(burnish_point p, burnish_point d, double by) {
+    return (burnish_point){p.x + d.x * by, p.y + d.y * by};
+}
+
 /* A label with its middle at a point, before it is taken into the list. */
 burnish_annotation_label burnish_annotation_label_at(const burnish_annotation_view *view,
                                                      const char *text, burnish_point middle,
@@ -130,6 +159,20 @@ static inline burnish_area burnish_area_grown(burnish_area area, double pixels) 
     return (burnish_area){area.left - pixels, area.top - pixels, area.right + pixels,
                           area.bottom + pixels};
 }
+
+/* 1: the segment is closer to a label than that. */
+int burnish_annotation_hits_label(const burnish_annotation_list *list, burnish_point a,
+                                  burnish_point b, double clear);
+
+/* 1: the area is in the picture, with a pixel of room. */
+int burnish_annotation_is_within(const burnish_annotation_view *view, const burnish_area *area);
+
+static inline burnish_area burnish_area_moved(burnish_area area, burnish_point by) {
+    return (burnish_area){area.left + by.x, area.top + by.y, area.right + by.x, area.bottom + by.y};
+}
+
+/* The nearest whole number. From 2^52 on all are whole; a camera within the object sees as far. */
+double burnish_whole_pixel(double value);
 
 /* 1: no label, mark or line of the list touches the area. */
 int burnish_annotation_is_free(const burnish_annotation_list *list, const burnish_area *area);
@@ -149,6 +192,16 @@ void burnish_annotate_parts_list(const burnish_annotation_view *view,
 
 /* Balloons around the object, with leaders to their parts that do not cross. */
 void burnish_annotate_balloons(const burnish_annotation_view *view, burnish_annotation_list *list);
+
+/* The arrows and letters of the section's plane, or its name. */
+void burnish_annotate_section(const burnish_annotation_view *view, burnish_annotation_list *list);
+
+void burnish_annotate_holes(const burnish_annotation_view *view, burnish_annotation_list *list);
+
+/* 1: one of the pixels around a point shows nothing in front of it. Lines on the outline of the
+ * object stay whole. */
+int burnish_annotation_is_seen(const burnish_annotation_view *view, burnish_point p,
+                               double distance);
 
 void burnish_annotate_box(const burnish_annotation_view *view, burnish_annotation_list *list);
 void burnish_annotate_grid(const burnish_annotation_view *view, burnish_annotation_list *list);

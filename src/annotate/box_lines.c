@@ -74,9 +74,8 @@ static int clip_to_image(const burnish_annotation_view *view, scene_line *line) 
     return 1;
 }
 
-/* Whether one of the pixels around a point shows nothing in front of it. This keeps lines on the
- * outline of the object whole. */
-static int is_seen(const burnish_annotation_view *view, burnish_point p, double distance) {
+int burnish_annotation_is_seen(const burnish_annotation_view *view, burnish_point p,
+                               double distance) {
     const int width = (int)view->width, height = (int)view->height;
     const double bias = DEPTH_BIAS * view->diagonal;
     if (!view->depth || !(p.x >= 0 && p.y >= 0 && p.x < view->width && p.y < view->height)) {
@@ -130,7 +129,8 @@ static void add_scene_line(const burnish_annotation_view *view, burnish_vec3 fro
         if (i < steps) {
             const double t = (i + 0.5) / steps;
             const double near = line.near_a + (line.near_b - line.near_a) * t;
-            now = is_seen(view, point_at(&line, t), view->parallel ? near : 1 / near);
+            now = burnish_annotation_is_seen(view, point_at(&line, t),
+                                             view->parallel ? near : 1 / near);
         }
         if (i > 0 && now != seen) {
             const double start = (double)run / steps, end = (double)i / steps;

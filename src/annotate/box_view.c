@@ -25,21 +25,20 @@ int burnish_areas_touch(const burnish_area *a, const burnish_area *b) {
     return a->left < b->right && b->left < a->right && a->top < b->bottom && b->top < a->bottom;
 }
 
-/* Clips [*from, *to] to the t with p + t d in [low, high]. */
-static int cut_to_range(double p, double d, double low, double high, double *from, double *to) {
-    if (d == 0) {
-        return p > low && p < high;
+void burnish_order_axes(const double keys[3], int order[3]) {
+    for (int i = 0; i < 3; ++i) {
+        int at = i;
+        for (; at > 0 && keys[order[at - 1]] < keys[i] - 1e-6; --at) {
+            order[at] = order[at - 1];
+        }
+        order[at] = i;
     }
-    const double a = (low - p) / d, b = (high - p) / d;
-    *from = (a < b ? a : b) > *from ? (a < b ? a : b) : *from;
-    *to = (a < b ? b : a) < *to ? (a < b ? b : a) : *to;
-    return *from < *to;
 }
 
 int burnish_segment_hits(burnish_point a, burnish_point b, const burnish_area *area) {
     double from = 0, to = 1;
-    return cut_to_range(a.x, b.x - a.x, area->left, area->right, &from, &to) &&
-           cut_to_range(a.y, b.y - a.y, area->top, area->bottom, &from, &to);
+    return burnish_cut_to_range(a.x, b.x - a.x, area->left, area->right, &from, &to) &&
+           burnish_cut_to_range(a.y, b.y - a.y, area->top, area->bottom, &from, &to);
 }
 
 static double cross_of_points(burnish_point o, burnish_point a, burnish_point b) {
@@ -149,6 +148,9 @@ burnish_status burnish_annotation_view_make(const burnish_mesh *mesh,
     *view = (burnish_annotation_view){.width = width,
                                       .height = height,
                                       .corners_seen = 1,
+                                      .box = BURNISH_AREA_NONE,
+                                      .mesh = arrays,
+                                      .section = annotations->section,
                                       .depth = annotations->depth,
                                       .depth_stride = annotations->depth_stride,
                                       .triangles = annotations->triangles,
@@ -188,6 +190,8 @@ burnish_status burnish_annotation_view_make(const burnish_mesh *mesh,
         view->corners[i] =
             burnish_annotation_project(view, burnish_annotation_corner(view, i), &distance);
         view->corners_seen &= view->parallel || distance > 1e-6 * view->diagonal;
+        const burnish_point p = view->corners[i];
+        burnish_area_widen(&view->box, (burnish_area){p.x, p.y, p.x, p.y});
     }
     if (view->corners_seen) {
         make_hull(view);

@@ -6,8 +6,6 @@
 #include "annotate/annotate.h"
 
 /* Of the height of a capital. */
-#define ARROW_LENGTH 0.9
-#define ARROW_HALF 0.17     /* half its width */
 #define LEAST_OFFSET 1.7    /* from the edge to the dimension line */
 #define CLEAR 0.55          /* white around a number */
 #define EXTENSION_GAP 0.35  /* white between the edge and an extension line */
@@ -17,7 +15,7 @@
 /* An axis seen at less than this sine of its angle to the view is not measured. */
 #define LEAST_SINE 0.12
 
-enum { TIERS = 3, PLACES = 4, LINES_MAX = 24 };
+enum { TIERS = 3, PLACES = 4 };
 
 /* An edge on the outline of the box on the screen. */
 typedef struct edge {
@@ -27,20 +25,6 @@ typedef struct edge {
     double length, value; /* pixels; units */
     double preference;
 } edge;
-
-/* A dimension before the check for room. */
-typedef struct dimension {
-    burnish_annotation_label label;
-    struct {
-        burnish_point a, b;
-        double width;
-    } lines[LINES_MAX];
-    int line_count;
-} dimension;
-
-static burnish_point moved_along(burnish_point p, burnish_point d, double by) {
-    return (burnish_point){p.x + d.x * by, p.y + d.y * by};
-}
 
 static double magnitude(double value) {
     return value < 0 ? -value : value;
@@ -79,133 +63,93 @@ static int make_edge(const burnish_annotation_view *view, int i, int j, edge *ma
 
 static double extent_along(burnish_point d, double width, double height) {
     const double x = magnitude(d.x), y = magnitude(d.y);
-    const double across = x * height < y * width ? height / y : width / x; /* through its middle */
-    return across;
+    return x * height < y * width ? height / y : width / x; /* through its middle */
 }
 
-static void push_dimension_line(dimension *made, burnish_point a, burnish_point b, double width) {
-    if (made->line_count < LINES_MAX) {
-        made->lines[made->line_count].a = a;
-        made->lines[made->line_count].b = b;
-        made->lines[made->line_count++].width = width;
-    }
+static void push_line(burnish_annotation_list *made, burnish_point a, burnish_point b,
+                      double width) {
+    burnish_annotation_add_line(made, a, b, width, BURNISH_LAYER_LINES);
 }
 
-/* A slim filled triangle: a fan of lines from its tip, which point d leads away from. */
-static void push_arrow(const burnish_annotation_view *view, dimension *made, burnish_point tip,
-                       burnish_point d) {
-    const burnish_point across = {d.y, -d.x};
-    const burnish_point base = moved_along(tip, d, ARROW_LENGTH * view->text);
-    const double half = ARROW_HALF * view->text;
-    const burnish_point start = moved_along(tip, d, view->line / 2);
-    for (int i = -2; i <= 2; ++i) {
-        push_dimension_line(made, start, moved_along(base, across, half * i / 2),
-                            half > 1.5 ? 0.8 * half : view->line);
-    }
-}
-
-/* The dimension `offset` from its edge. place 0: the number in or next to the middle, 1 and 2:
- * beyond an end, 3: next to the middle. */
-static void make_dimension(const burnish_annotation_view *view, const edge *e, double offset,
-                           int place, dimension *made) {
-    const double text = view->text, arrow = ARROW_LENGTH * text, clear = CLEAR * text;
-    const burnish_point p = moved_along(e->p, e->n, offset), q = moved_along(e->q, e->n, offset);
-    const burnish_point middle = {(p.x + q.x) / 2, (p.y + q.y) / 2};
+/* A dimension next to its edge. place 0: the number in or next to the middle, 1 and 2: beyond an
+ * end, 3: next to the middle. */
+static void make_dimension(const burnish_annotation_view *view, const edge *e, int tier, int place,
+                           burnish_annotation_list *made) {
+    const double text = view->text, arrow = BURNISH_ARROW_LENGTH * text, clear = CLEAR * text;
     char number[BURNISH_LABEL_SIZE];
     burnish_number_text(e->value, number);
-    made->label = burnish_annotation_label_at(view, number, middle, BURNISH_LAYER_LINES);
-    const double width = made->label.area.right - made->label.area.left;
+    made->labels[0] = burnish_annotation_label_at(view, number, e->p, BURNISH_LAYER_LINES);
+    const double width = made->labels[0].area.right - made->labels[0].area.left;
     const double gap = extent_along(e->d, width + clear, text + clear);
     const double reach = (magnitude(e->d.x) * width + magnitude(e->d.y) * text) / 2;
     const double depth = (magnitude(e->n.x) * width + magnitude(e->n.y) * text) / 2;
+    const double least = LEAST_OFFSET * text, wide = depth + CLEAR * text * 1.2;
+    const double offset = (wide > least && place == 0 ? wide : least) + tier * TIER * text;
+    const burnish_point p = burnish_moved_along(e->p, e->n, offset),
+                        q = burnish_moved_along(e->q, e->n, offset);
+    const burnish_point middle = {(p.x + q.x) / 2, (p.y + q.y) / 2};
     const int inside = e->length > 3.2 * arrow; /* arrows */
     const int in_line = place == 0 && e->length > gap + 2 * arrow + clear;
     made->line_count = 0;
+    made->label_count = 1;
     for (int end = 0; end < 2; ++end) {
         const burnish_point corner = end ? e->q : e->p, tip = end ? q : p;
         const double way = (end ? -1 : 1) * (inside ? 1 : -1);
         const burnish_point d = {e->d.x * way, e->d.y * way};
-        push_dimension_line(made, moved_along(corner, e->n, EXTENSION_GAP * text),
-                            moved_along(corner, e->n, offset + EXTENSION_OVER * text), view->line);
-        push_arrow(view, made, tip, d);
+        push_line(made, burnish_moved_along(corner, e->n, EXTENSION_GAP * text),
+                  burnish_moved_along(corner, e->n, offset + EXTENSION_OVER * text), view->line);
+        burnish_annotation_add_arrow(view, tip, d, made);
         if (!inside) {
-            push_dimension_line(made, tip, moved_along(tip, d, 2 * arrow), view->line);
+            push_line(made, tip, burnish_moved_along(tip, d, 2 * arrow), view->line);
         }
     }
+    made->labels[0] = burnish_annotation_label_at(view, number, middle, BURNISH_LAYER_LINES);
     if (in_line) {
-        push_dimension_line(made, p, moved_along(middle, e->d, -gap / 2), view->line);
-        push_dimension_line(made, moved_along(middle, e->d, gap / 2), q, view->line);
+        push_line(made, p, burnish_moved_along(middle, e->d, -gap / 2), view->line);
+        push_line(made, burnish_moved_along(middle, e->d, gap / 2), q, view->line);
         return;
     }
-    push_dimension_line(made, p, q, view->line);
+    push_line(made, p, q, view->line);
     const double beyond = e->length / 2 + (inside ? 0 : 2 * arrow) + clear + reach;
-    const burnish_point center = place == 1   ? moved_along(middle, e->d, beyond)
-                                 : place == 2 ? moved_along(middle, e->d, -beyond)
-                                              : moved_along(middle, e->n, depth + clear);
-    made->label = burnish_annotation_label_at(view, number, center, BURNISH_LAYER_LINES);
+    const burnish_point center = place == 1   ? burnish_moved_along(middle, e->d, beyond)
+                                 : place == 2 ? burnish_moved_along(middle, e->d, -beyond)
+                                              : burnish_moved_along(middle, e->n, depth + clear);
+    made->labels[0] = burnish_annotation_label_at(view, number, center, BURNISH_LAYER_LINES);
 }
 
-static int is_within(const burnish_annotation_view *view, const burnish_area *area) {
+int burnish_annotation_is_within(const burnish_annotation_view *view, const burnish_area *area) {
     return area->left >= 1 && area->top >= 1 && area->right <= view->width - 1 &&
            area->bottom <= view->height - 1;
 }
 
-static burnish_area line_area(burnish_point a, burnish_point b) {
-    return (burnish_area){a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.x < b.x ? b.x : a.x,
-                          a.y < b.y ? b.y : a.y};
-}
-
 static int has_room(const burnish_annotation_view *view, const burnish_annotation_list *list,
-                    const dimension *made) {
-    const burnish_area label = burnish_area_grown(made->label.area, CLEAR * view->text / 2);
+                    const burnish_annotation_list *made) {
+    const burnish_area *number = &made->labels[0].area;
+    const burnish_area label = burnish_area_grown(*number, CLEAR * view->text / 2);
+    const burnish_area all = burnish_annotation_bounds(made, *number, 0);
     if (burnish_annotation_hits_hull(view, &label) || !burnish_annotation_is_free(list, &label) ||
-        (list->bounded && !is_within(view, &made->label.area))) {
+        (list->bounded && !burnish_annotation_is_within(view, &all))) {
         return 0;
     }
-    for (int i = 0; i < made->line_count; ++i) {
-        const burnish_point a = made->lines[i].a, b = made->lines[i].b;
-        const burnish_area area = line_area(a, b);
-        if ((list->bounded && !is_within(view, &area)) ||
-            burnish_segment_hits(a, b, &made->label.area)) {
+    for (size_t i = 0; i < made->line_count; ++i) {
+        const burnish_stroke *s = &made->lines[i].stroke;
+        const burnish_point a = {(double)s->x0, (double)s->y0}, b = {(double)s->x1, (double)s->y1};
+        if (burnish_segment_hits(a, b, number) ||
+            burnish_annotation_hits_label(list, a, b, view->line)) {
             return 0;
-        }
-        for (size_t k = 0; k < list->label_count; ++k) {
-            const burnish_area other = burnish_area_grown(list->labels[k].area, view->line);
-            if (burnish_segment_hits(a, b, &other)) {
-                return 0;
-            }
         }
     }
     return 1;
 }
 
-static void take_dimension(burnish_annotation_list *list, const dimension *made) {
-    for (int i = 0; i < made->line_count; ++i) {
-        burnish_annotation_add_line(list, made->lines[i].a, made->lines[i].b, made->lines[i].width,
-                                    BURNISH_LAYER_LINES);
-    }
-    burnish_annotation_add_label(list, &made->label);
-}
-
 /* Of the ways to draw the dimension next to an edge, the first with enough room. */
 static int place_dimension(const burnish_annotation_view *view, const edge *e,
-                           burnish_annotation_list *list) {
-    char number[BURNISH_LABEL_SIZE];
-    burnish_number_text(e->value, number);
-    const burnish_annotation_label label =
-        burnish_annotation_label_at(view, number, e->p, BURNISH_LAYER_LINES);
-    const double depth = (magnitude(e->n.x) * (label.area.right - label.area.left) +
-                          magnitude(e->n.y) * view->text) /
-                         2;
-    const double clear = depth + CLEAR * view->text * 1.2, least = LEAST_OFFSET * view->text;
+                           burnish_annotation_list *made, burnish_annotation_list *list) {
     for (int tier = 0; tier < TIERS; ++tier) {
         for (int at = 0; at < PLACES; ++at) {
-            dimension made;
-            const double offset =
-                (clear > least && at == 0 ? clear : least) + tier * TIER * view->text;
-            make_dimension(view, e, offset, at, &made);
-            if (has_room(view, list, &made)) {
-                take_dimension(list, &made);
+            make_dimension(view, e, tier, at, made);
+            if (has_room(view, list, made)) {
+                burnish_annotation_take(list, made, (burnish_point){0, 0});
                 return 1;
             }
         }
@@ -241,7 +185,9 @@ static int is_measured(const burnish_annotation_view *view, int axis) {
 void burnish_annotate_dimensions(const burnish_annotation_view *view,
                                  burnish_annotation_list *list) {
     edge edges[3][4];
-    int counts[3] = {0}, order[3] = {0, 1, 2};
+    burnish_annotation_label label;
+    burnish_annotation_list made = {.labels = &label, .memory = list->memory}; /* it is tried */
+    int counts[3] = {0}, order[3];
     double lengths[3] = {0};
     for (int axis = 0; axis < 3; ++axis) {
         if (is_measured(view, axis)) {
@@ -250,19 +196,14 @@ void burnish_annotate_dimensions(const burnish_annotation_view *view,
             list->left_out += counts[axis] == 0;
         }
     }
-    for (int i = 1; i < 3; ++i) {
-        for (int k = i; k > 0 && lengths[order[k - 1]] < lengths[order[k]] - 1e-6; --k) {
-            const int swapped = order[k];
-            order[k] = order[k - 1];
-            order[k - 1] = swapped;
-        }
-    }
+    burnish_order_axes(lengths, order);
     for (int i = 0; i < 3; ++i) {
         const int axis = order[i];
         int placed = counts[axis] == 0;
         for (int k = 0; k < counts[axis] && !placed; ++k) {
-            placed = place_dimension(view, &edges[axis][k], list);
+            placed = place_dimension(view, &edges[axis][k], &made, list);
         }
         list->left_out += !placed;
     }
+    burnish_release(list->memory->context, made.lines);
 }

@@ -480,7 +480,7 @@ static void test_refusals(void) {
     WRONG(bad.depth = depth, bad.depth_stride = 63 * 4);
     WRONG(bad.depth = depth, bad.depth_stride = 64 * 4 + 1);
     WRONG(bad.cookie = 0);
-    WRONG(bad.kinds = 64);
+    WRONG(bad.kinds = 256);
     WRONG(bad.text_height = 4);
     WRONG(bad.text_height = NAN);
     memcpy(camera.focal_point, camera.position, sizeof camera.position);

@@ -60,7 +60,7 @@ static const struct layer {
     {"src/image/text",
      "base core image/pixels.h burnish/drawing.h burnish/image.h burnish/sheet.h"},
     {"src/annotate", "base core image image/text burnish/annotate.h burnish/core.h "
-                     "burnish/drawing.h burnish/image.h burnish/mesh.h"},
+                     "burnish/drawing.h burnish/image.h burnish/mesh.h mesh/axes.h"},
     {"src/environment",
      "base core image image/decode shading simd burnish/kernels.h burnish/light.h"},
     {"src/render", "base core raster simd burnish/mesh.h"},
@@ -72,7 +72,7 @@ static const struct layer {
     {"src/render/light", "base core environment simd raster rays render render/texture shading "
                          "burnish/light.h burnish/mesh.h burnish/render.h"},
     {"src/render/lines",
-     "base core mesh/edges.h image/text/strokes.h raster render burnish/render.h"},
+     "base core mesh/axes.h image/text/strokes.h raster render burnish/render.h"},
     {"src/render/splats",
      "base core raster/raster_view.h render simd burnish/lobe.h burnish/render.h"},
     {"src/render/texture", "base core simd raster render shading burnish/mesh.h"},

@@ -15,9 +15,9 @@ VALUES = {
     "light": "headlight", "environment": "room", "occlusion": "8", "camera-orthographic-height": "9", "clip": "0,1,0,1", "elevation": "10",
     "color-by": "height", "isa": "scalar", "json": "../j.json", "look": "drawing", "material": "metal", "viewer": "distant",
     "max-memory": "8000000000G", "max-input-bytes": "1000000", "camera-focal-point": "1,0,0", "camera-direction": "0,0,-1",
-    "edges": "creases", "annotate": "axes,box,dimensions,grid",
+    "edges": "creases", "annotate": "axes,box,dimensions,grid", "section": "y",
 }
-UNTRIED = set("""camera-intrinsics output output-dir recursive files-from columns labels font no-labels output-format turntable camera
+UNTRIED = set("""paper camera-intrinsics output output-dir recursive files-from columns labels font no-labels output-format turntable camera
     environment-strength environment-turn center-lines input-format color-map color-range no-legend normals crease-angle
     animation-time animation variant plate joint scene hide only explode callouts thumbnail point-size no-libraries root sandbox reference reference-threshold reference-difference look""".split())
 def value(flag):
@@ -77,6 +77,21 @@ run render :torus --look=drawing --clip=0,0,1,0.1 --clip=1,0,0,0.2 -o a.svg
 check "areas: $(grep -c evenodd a.svg)" [ "$(grep -c evenodd a.svg)" = 2 ]
 check "hatching" [ "$(grep -c '<path fill="none" stroke' a.svg)" = 2 ]
 
+# A section is a cut, seen square on from the side that a sign chooses.
+for section in x:0.5=1,0,0,0.5=right y:1=0,1,0,1=top -z=0,0,-1,0=back +z:-0.5=0,0,1,-0.5=front; do
+    gives 0 render :teapot "--section=${section%%=*}" --size=64 -o a.png
+    cut=${section#*=}
+    gives 0 render :teapot "--clip=${cut%=*}" "--views=${cut#*=}" --size=64 -o b.png
+    check "--section=${section%%=*}" cmp a.png b.png
+done
+rm a.png b.png
+expect 2 'burnish: --section: z = 9 does not cut the object; use an offset between -2 and 2' render :teapot --section=z:9
+expect 2 'burnish: --section: "z:" is not an axis, such as x or -y, or an axis and an offset, such as z:5' render :teapot --section=z:
+expect 2 'burnish: --views: --section already sets the camera; omit one of them, or cut with --clip' render :teapot --section=z --views=top
+expect 2 'burnish: --azimuth: --section already sets the camera; omit one of them' render :teapot --section=z --azimuth=9
+gives 0 render :teapot --section=z --turntable=a.gif --frames=2 --size=16
+rm a.gif
+
 # A PDF has the same lines, on a page in points.
 run render :teapot --look=drawing --annotate=dimensions --size=100 --dpi=72 -o a.pdf
 check "a PDF: $(cat "$err")" grep -q '/MediaBox \[0 0 100 100\]' a.pdf
@@ -114,6 +129,61 @@ END
 done
 run render ../block.obj --look=drawing --views=third-angle --annotate=dimensions,axes --dpi=100 -o a.svg
 check "each length once: $(grep -o 'aria-label="[^"]*"' a.svg)" [ "$(grep -c 'aria-label="[0-9.]*"' a.svg)" = 3 ]
+# A plate with six pins, which are polygons of 48 sides; the fourth is larger.
+block 60 40 1 >pins.obj
+python3 - <<'END' >>pins.obj
+from math import cos, sin, tau
+for pin in range(6):
+    first, x, y, r = 9 + 96 * pin, 10 + 20 * (pin % 3), 10 + 20 * (pin // 3), 6 if pin == 3 else 2.5
+    for k in range(96):
+        print("v %.9g %.9g %d" % (x + r * cos(k // 2 * tau / 48), y + r * sin(k // 2 * tau / 48), 1 + 4 * (k % 2)))
+    for face in [range(1, 96, 2), range(94, -1, -2)] + [(k, (k + 2) % 96, (k + 3) % 96, k + 1) for k in range(0, 96, 2)]:
+        print("f", *[first + corner for corner in face])
+END
+# Diameters once for equal circles, and positions from the left and the lower edge.
+for angle in third first; do
+    run render pins.obj --up=+Z --look=drawing --views=$angle-angle --paper=a3 --annotate=dimensions -o a.svg
+    check "holes: $(cat "$err")$(grep -o 'aria-label="[^"]*"' a.svg)" [ "$(grep -o 'aria-label="[0-9Ø][^":]*"' a.svg | tr -d '\n')" = \
+        "$(printf 'aria-label="%s"' 60 5 10 30 50 10 30 '5x Ø5' Ø12 40)" ]
+done
+run render pins.obj --up=+Z --look=drawing --views=third-angle --size=400 --annotate=dimensions -o a.svg
+check "too small: $(cat "$err")" grep -q 'top has no room for [1-9]' "$err"
+run render pins.obj --up=+Z --look=drawing --views=third-angle --annotate=dimensions -o a.pdf
+check "a diameter in PDF" grep -aqF '(5x \3305) Tj' a.pdf
+rm pins.obj a.pdf
+# A section is one more view, at the same scale, in line with the front or the top view; the others are whole.
+for section in x=front y=front z=top; do
+    for angle in third first; do
+        run render ../block.obj --up=+Z --look=drawing --views=$angle-angle --section=${section%%=*} --json -o a.svg
+        check "a sheet with a section across ${section%%=*}" python3 - "$out" "$section" <<'END'
+import json, re, sys
+report, svg = json.load(open(sys.argv[1])), open("a.svg").read()
+axis, row = sys.argv[2].split("=")
+front, top, side, free, section = report["cells"]
+beside, third = (front, section) if row == "front" else (top, free)
+assert section["view"] == "section" and abs(section["pixels_per_unit"] / front["pixels_per_unit"] - 1) < 1e-9
+assert (section["row"], third["column"], third["row"]) == (beside["row"], 2, front["row"]), report["cells"]
+like = {"x": side, "y": front, "z": top}[axis]
+size = lambda b: (b[2] - b[0], b[3] - b[1])
+assert all(abs(a - b) <= 1 for a, b in zip(size(section["pixel_bounds"]), size(like["pixel_bounds"]))), (section, like)
+assert [abs(n) for n in report["cuts"][0][:3]] == [axis == k for k in "xyz"] and len(report["cuts"]) == 1
+assert svg.count("evenodd") == 1 and re.findall('aria-label="(A[^"]*)"', svg) == ["A", "A", "A-A"]
+END
+    done
+done
+# Pages have the size of their paper and a title block, which cuts names that are too long.
+cp ../block.obj "a-part-whose-name-is-much-too-long-for-the-title-block-of-a-drawing-on-a-page-of-paper.obj"
+for page in a4=297=210 a3=420=297; do
+    run render a-part*.obj --look=drawing --views=first-angle --paper=${page%%=*} --dpi=254 -o a.svg
+    size=${page#*=}
+    check "a page: $(head -n 1 a.svg)" grep -q "width=\"${size%=*}mm\" height=\"${size#*=}mm\"" a.svg
+    for text in "${page%%=*}" mm '[0-9]*:1' 'a-part-whose-name-.*-the-[^"]*[.][.][.]'; do
+        check "$text in $(grep -o 'aria-label="[^"]*"' a.svg)" grep -qi "aria-label=\"$text\"" a.svg
+    done
+done
+rm a-part*.obj
+expect 0 'burnish: warning: --size: no effect: --paper sets the size of the page; omit one of them' \
+    render ../block.obj --views=third-angle --paper=a4 --size=800 -o a.svg --look=drawing
 expect 2 'burnish: --views: first-angle is a whole sheet; omit the other views' render :sphere --views=top,first-angle
 expect 2 'burnish: --lobe: a sheet of aligned views shows one lobe; omit the others' render :sphere --views=third-angle --lobe=power,schlick
 expect 2 'burnish: --camera-orthographic: aligned views are parallel; omit the flag' render :sphere --views=third-angle --camera-orthographic=no
@@ -156,6 +226,7 @@ useless labels "$sheet" --labels=a,b :sphere
 useless font "$sheet" --font=a.ttf :sphere
 useless labels '--no-labels omits the labels; omit it' --labels=a,b --no-labels --views=front,top :sphere
 useless same-scale 'only a sheet has several scales; use several --views or lobes' --same-scale --views=front :sphere
+useless paper 'only aligned views have a page; use --views=third-angle' --paper=a4 :sphere
 values='values of vertices are not shown; use --color-by'
 useless color-map "$values" --color-map=grey :sphere
 useless color-range "$values" --color-range=0:1 :sphere

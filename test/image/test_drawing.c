@@ -379,34 +379,46 @@ static void check_layout(const burnish_projection *projection) {
     const burnish_projection_area *front = &cells[BURNISH_PROJECTION_FRONT],
                                   *top = &cells[BURNISH_PROJECTION_TOP];
     const burnish_projection_area *side = &cells[BURNISH_PROJECTION_SIDE];
-    const burnish_projection_area *free = &cells[BURNISH_PROJECTION_PICTORIAL];
+    const int is_top = projection->section == 2;
+    const burnish_projection_area *free =
+        &cells[is_top ? BURNISH_PROJECTION_SECTION : BURNISH_PROJECTION_PICTORIAL];
+    const burnish_projection_area *third =
+        &cells[is_top ? BURNISH_PROJECTION_PICTORIAL : BURNISH_PROJECTION_SECTION];
     const int is_first = projection->method == BURNISH_PROJECTION_FIRST_ANGLE;
     CHECK1(front->x == top->x && front->width == top->width && front->y == side->y &&
            front->height == side->height && side->x == front->x + front->width &&
-           free->x == side->x && free->y == top->y && free->width == side->width &&
-           free->height == top->height);
+           free->x == side->x && free->y == top->y && free->width == side->width + third->width &&
+           free->height == top->height && third->x == side->x + side->width &&
+           third->y == side->y && third->height == side->height &&
+           (third->width > 0) == (projection->section > 0));
     CHECK1(top->y == (is_first ? front->y + front->height : front->y - top->height));
-    CHECK1(front->x >= 0 && side->x + side->width <= projection->width &&
+    CHECK1(front->x >= 0 && free->x + free->width <= projection->width &&
            (is_first ? top : front)->y + (is_first ? top : front)->height <= projection->height);
     const double s = projection->pixels_per_unit;
     CHECK1(s * projection->extents[0] < front->width &&
            s * projection->extents[1] < front->height && s * projection->extents[2] < side->width &&
            s * projection->extents[2] < top->height);
+    CHECK1(projection->section == 0 || s * projection->extents[projection->section == 1 ? 2 : 0] <
+                                           cells[BURNISH_PROJECTION_SECTION].width);
 }
 
 /* Layouts of many objects and sheets. Scales on paper are those of ISO 5455. */
 static void test_projection_layout(void) {
     uint64_t state = test_seed(1);
     for (int i = 0; i < 400; ++i) {
-        burnish_projection projection = {.method = i % 2, .width = 300 + 7 * i, .height = 900};
+        burnish_projection projection = {
+            .method = i % 2, .width = 300 + 7 * i, .height = 900, .section = i % 5 % 4};
         for (int k = 0; k < 3; ++k) {
             projection.extents[k] =
                 i % 7 == k ? 0 : pow(10, (double)(test_random32(&state) % 1000) / 200 - 2);
         }
         projection.pixels_per_millimetre = i % 4 == 0 ? 5 : 0;
+        projection.paper = i % 8 == 0 ? "A4" : NULL;
         CHECK_OK(burnish_projection_lay_out(&projection, &error), error);
         check_layout(&projection);
         CHECK1((projection.scale[0] != 0) == (i % 4 == 0));
+        CHECK1(projection.text_height >= 2.5 * projection.pixels_per_millimetre);
+        CHECK1(!projection.paper || projection.cells[BURNISH_PROJECTION_FRONT].x == 20 * 5);
     }
     const struct {
         double size;
@@ -436,7 +448,8 @@ static void test_projection(void) {
                                      .height = 600,
                                      .extents = {40, 20, 30},
                                      .pixels_per_millimetre = 3,
-                                     .method = BURNISH_PROJECTION_FIRST_ANGLE};
+                                     .method = BURNISH_PROJECTION_FIRST_ANGLE,
+                                     .section = 3};
     burnish_image images[BURNISH_PROJECTION_VIEWS], picture = {0};
     const burnish_image *views[BURNISH_PROJECTION_VIEWS];
     burnish_drawing *drawings[BURNISH_PROJECTION_VIEWS], *drawing;
@@ -455,7 +468,7 @@ static void test_projection(void) {
     burnish_image drawn = draw_svg(text, projection.width, projection.height);
     CHECK(count_differences(&picture, &drawn, 8) < 40, "%zu values differ",
           count_differences(&picture, &drawn, 8));
-    CHECK1(strstr(text, "aria-label=\"a&lt;b\"") && strstr(text, "aria-label=\"2:1\""));
+    CHECK1(strstr(text, "aria-label=\"a&lt;b\"") && strstr(text, "aria-label=\"1:1\""));
     burnish_release(NULL, text);
     burnish_drawing_destroy(drawing);
     for (int i = 0; i < BURNISH_PROJECTION_VIEWS; ++i) {
@@ -513,6 +526,9 @@ static void test_pdf(void) {
     const char *stream = strstr(text, "stream\n") + 7;
     CHECK1(stream + strtoul(strstr(text, "/Length") + 7, NULL, 10) == strstr(text, "endstream"));
     CHECK1(strstr(text, "/MediaBox [0 0 240 180]") && strstr(text, "/Title (a\\(b)"));
+    for (const char *sign = stream; (sign = strchr(sign, '-')); ++sign) {
+        CHECK(sign[-1] == ' ' || sign[-1] == '(', "%.9s is not two numbers", sign - 4);
+    }
     CHECK1(count_text(text, ") Tj") == count_text(svg, "aria-label=") && strstr(text, ") Tj"));
     CHECK(count_operators(stream, 'm', 'm') == count_operators(svg, 'M', 'm') &&
               count_operators(stream, 'm', 'm') > 50,

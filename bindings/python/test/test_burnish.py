@@ -115,6 +115,7 @@ class Pictures(unittest.TestCase):
             ({"color": ["0.5", 0.25, 1]}, ["--color=0.5,0.25,1"]),
             ({"clip": [(1, 0, 0, 0.5), "0,1,0,0.5"]}, ["--clip=1,0,0,.5", "--clip=0,1,0,.5"]),
             ({"clip": [(1, 0, 0, 0.5)]}, ["--clip=1,0,0,.5"]),
+            ({"section": "x"}, ["--section=x"]),
             ({"light": ("point:0,1,2", "directional:1,2,3")}, ["--light=point:0,1,2", "--light=directional:1,2,3"]),
         ):
             with self.subTest(options):

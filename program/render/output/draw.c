@@ -7,6 +7,7 @@
 #include "picture/formats.h"
 #include "render/output/projection.h"
 #include "render/scene/cameras.h"
+#include "render/scene/prepare.h"
 
 /* ---- A cell ---- */
 
@@ -17,8 +18,10 @@ static burnish_status draw_mesh(const render_result *result, render_cell *cell, 
     const burnish_render_options *options = result->options;
     const int rows = options->row_count ? options->row_count : options->height;
     const size_t width = (size_t)options->width, height = (size_t)rows;
-    const int needs_depth = (result->settings->picture.annotations &
-                             (BURNISH_ANNOTATION_BOX | BURNISH_ANNOTATION_GRID)) != 0;
+    const int has_holes = render_is_projection(result->settings);
+    const unsigned behind = BURNISH_ANNOTATION_BOX | BURNISH_ANNOTATION_GRID |
+                            (has_holes ? BURNISH_ANNOTATION_DIMENSIONS : 0);
+    const int needs_depth = (result->settings->picture.annotations & behind) != 0;
     const int needs_coverage = options->counts == BURNISH_COUNTS_AREA && options->ground;
     const int needs_triangles = result->settings->picture.callouts;
     *depth = NULL;
@@ -215,7 +218,12 @@ burnish_status render_draw_picture(render_result *result, burnish_error *error) 
             fprintf(stderr, "\rburnish: %zu of %zu: %s\033[K", i + 1, result->cell_count,
                     cell->label);
         }
-        status = render_draw_cell(result, cell, error);
+        if (cell->view == VIEW_SECTION && render_is_projection(settings)) { /* the last one */
+            const render_scene scene = {
+                .settings = result->settings, .mesh = result->mesh, .warnings = &result->warnings};
+            status = render_cut_section(&scene, error);
+        }
+        status = status == BURNISH_STATUS_OK ? render_draw_cell(result, cell, error) : status;
     }
     if (progress) {
         fprintf(stderr, "\r\033[K");

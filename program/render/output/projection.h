@@ -6,8 +6,7 @@
 
 /* 1: the views of the run are aligned. */
 static inline int render_is_projection(const render_settings *settings) {
-    return settings->picture.views.layout != VIEW_FREE &&
-           settings->picture.views.count == BURNISH_PROJECTION_VIEWS;
+    return settings->picture.views.layout != VIEW_FREE;
 }
 
 /* Drops flags that aligned views leave no choice, and finds its size. Errors: ARGUMENT for several
@@ -21,10 +20,10 @@ burnish_status render_lay_out_projection(render_result *result, burnish_error *e
 void render_aim_projection(const render_result *result, const render_cell *cell,
                            burnish_render_options *options);
 
-/* 2 * row + column of a cell. */
+/* row * columns + column of a cell. */
 size_t render_projection_place(const render_result *result, size_t cell);
 
-/* What is annotated in a cell: each length once. */
+/* What is annotated in a cell: each length once, and the section. */
 void render_limit_annotations(const render_result *result, const render_cell *cell,
                               burnish_annotate_options *annotations);
 

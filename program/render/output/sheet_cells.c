@@ -16,7 +16,7 @@ static size_t empty_cells(size_t count, size_t columns) {
 int render_sheet_columns(const render_settings *settings, size_t count) {
     size_t columns = 1;
     if (render_is_projection(settings)) {
-        return 2;
+        return settings->input.section.axis > 0 ? 3 : 2;
     }
     if (settings->picture.columns > 0) {
         return settings->picture.columns < (int)count ? settings->picture.columns : (int)count;

@@ -41,6 +41,7 @@ static const standard_view views[] = {
     [VIEW_TOP] = {"top", {0, 1, 0}, {0, 0, -1}},
     [VIEW_BOTTOM] = {"bottom", {0, -1, 0}, {0, 0, 1}},
     [VIEW_ISO] = {"iso", {1, 1, 1}, {0, 1, 0}},
+    [VIEW_SECTION] = {"section", {0, 0, 0}, {0, 1, 0}},
 };
 
 const char *render_view_name(render_view view) {
@@ -332,6 +333,19 @@ static int has_own_view(const render_camera_settings *camera) {
            camera->elevation.given;
 }
 
+render_view render_section_view(const burnish_mesh *mesh, const render_settings *settings,
+                                double toward[3]) {
+    const render_section *section = &settings->input.section;
+    const frame *axes = frame_in_use(mesh, &settings->camera);
+    int view = VIEW_FREE; /* of two views along an axis, the one that drawings show comes first */
+    double side = 0;
+    while (view < VIEW_BOTTOM && !(section->sign == 0 ? side != 0 : side * section->sign > 0)) {
+        combine(axes, views[++view].toward, 1, toward);
+        side = toward[section->axis - 1];
+    }
+    return (render_view)view;
+}
+
 /* The default view: three-quarter, or the standard view that shows a flat object face on. */
 static render_view default_view(request *from) {
     const render_camera_settings *camera = &from->settings->camera;
@@ -421,6 +435,8 @@ void render_upward(const burnish_mesh *mesh, const render_camera_settings *camer
 burnish_status render_camera(const burnish_mesh *mesh, const render_settings *settings,
                              render_view view, render_room *room, burnish_camera *camera,
                              burnish_error *error) {
+    double toward[3];
+    view = view == VIEW_SECTION ? render_section_view(mesh, settings, toward) : view;
     const request from = {mesh, settings, frame_in_use(mesh, &settings->camera),
                           fit_options(settings, view, room), room};
     *camera = (burnish_camera){.view_angle = settings->camera.view_angle.value};

@@ -16,6 +16,10 @@ void render_axes(const burnish_mesh *mesh, const render_camera_settings *camera,
 void render_extents(const burnish_mesh *mesh, const render_camera_settings *camera,
                     double extents[3]);
 
+/* The standard view that looks at --section; toward: the coordinate axis that points to its viewer. */
+render_view render_section_view(const burnish_mesh *mesh, const render_settings *settings,
+                                double toward[3]);
+
 /* The camera of one view of the mesh. room->inset receives the insets of the framing. */
 burnish_status render_camera(const burnish_mesh *mesh, const render_settings *settings,
                              render_view view, render_room *room, burnish_camera *camera,

@@ -18,7 +18,8 @@ burnish_load_options render_load_options(const render_input_settings *input, int
         options.keep_texture_coordinates = 1;
     }
     options.threads = threads;
-    options.measure = input->measure || input->clip.count > 0; /* only solids are filled */
+    options.measure = /* only solids are filled */
+        input->measure || input->clip.count > 0 || input->section.axis > 0;
     return options;
 }
 

@@ -75,8 +75,8 @@ static void warn_open(const render_scene *scene) {
     }
 }
 
-static burnish_status cut_mesh(const render_scene *scene, burnish_error *error) {
-    const render_clip *clip = &scene->settings->input.clip;
+static burnish_status cut_mesh(const render_scene *scene, const render_clip *clip,
+                               burnish_error *error) {
     const burnish_mesh_view *view = burnish_mesh_get_view(scene->mesh);
     burnish_status status = BURNISH_STATUS_OK;
     for (int i = 0; i < clip->count && status == BURNISH_STATUS_OK; ++i) {
@@ -99,6 +99,32 @@ static burnish_status cut_mesh(const render_scene *scene, burnish_error *error) 
         warn_open(scene);
     }
     return status;
+}
+
+burnish_status render_cut_section(const render_scene *scene, burnish_error *error) {
+    const render_clip clip = {{scene->settings->input.section.plane}, 1};
+    return cut_mesh(scene, &clip, error);
+}
+
+/* Sets the plane of --section in the mesh's coordinates, and unless the picture is a sheet that also
+ * shows the whole object, cuts by it. */
+static burnish_status section_mesh(const render_scene *scene, burnish_error *error) {
+    render_section *section = &scene->settings->input.section;
+    const burnish_mesh_view *view = burnish_mesh_get_view(scene->mesh);
+    const int k = section->axis - 1;
+    const double low = (double)view->bounds_min[k], high = (double)view->bounds_max[k];
+    const double at =
+        section->offset.given ? section->offset.value - view->origin[k] : (low + high) / 2;
+    if (!(at > low && at < high)) {
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--section: %c = %g does not cut the object; use an offset between %g and %g", 'x' + k,
+            at + view->origin[k], low + view->origin[k], high + view->origin[k]);
+    }
+    render_section_view(scene->mesh, scene->settings, section->plane.normal);
+    section->plane.offset = section->plane.normal[k] * at;
+    return scene->settings->picture.views.layout == VIEW_FREE ? render_cut_section(scene, error)
+                                                              : BURNISH_STATUS_OK;
 }
 
 /* ---- Lights ---- */
@@ -182,7 +208,10 @@ burnish_status render_prepare_mesh(render_scene *scene, burnish_error *error) {
     render_settings *settings = scene->settings;
     move_cuts(&settings->input.clip, burnish_mesh_get_view(scene->mesh)->origin);
     render_set_stance(scene->mesh, &settings->camera); /* the whole object's */
-    const burnish_status status = cut_mesh(scene, error);
+    burnish_status status = cut_mesh(scene, &settings->input.clip, error);
+    if (status == BURNISH_STATUS_OK && settings->input.section.axis > 0) {
+        status = section_mesh(scene, error);
+    }
     return status == BURNISH_STATUS_OK /* colours of what is left, by height above the ground */
                ? render_color(settings, scene->mesh, scene->color_range, error)
                : status;

@@ -29,6 +29,10 @@ burnish_status render_prepare_picture(render_scene *scene, burnish_error *error)
 /* Both. */
 burnish_status render_prepare(render_scene *scene, burnish_error *error);
 
+/* Cuts by the plane of --section, of which only the last cell of a sheet of aligned views shows
+ * what is left. Errors: ARGUMENT, MEMORY. */
+burnish_status render_cut_section(const render_scene *scene, burnish_error *error);
+
 /* The offset of a plane in coordinates of the file. */
 double render_file_offset(const burnish_clip_plane *plane, const double origin[3]);
 

@@ -225,6 +225,27 @@ burnish_status render_flag_clip(const cli_flag *flag, const char *text, void *ta
     return BURNISH_STATUS_OK;
 }
 
+burnish_status render_flag_section(const cli_flag *flag, const char *text, void *target,
+                                   burnish_error *error) {
+    static const char axes[] = "xyzXYZ";
+    const char *axis = text + (*text == '-' || *text == '+');
+    const char *found = *axis ? strchr(axes, *axis) : NULL;
+    render_section section = {.sign = *text == '-' ? -1 : *text == '+'};
+    section.offset.given = found && axis[1] == ':';
+    if (!found ||
+        (section.offset.given ? !cli_read_real(axis + 2, strlen(axis + 2), &section.offset.value)
+                              : axis[1] != 0)) {
+        return cli_fail(
+            error, BURNISH_STATUS_ARGUMENT,
+            "--%s: \"%.60s\" is not an axis, such as x or -y, or an axis and an offset, "
+            "such as z:5",
+            flag->name, text);
+    }
+    section.axis = 1 + (int)(found - axes) % 3;
+    *(render_section *)target = section;
+    return BURNISH_STATUS_OK;
+}
+
 burnish_status render_flag_occlusion(const cli_flag *flag, const char *text, void *target,
                                      burnish_error *error) {
     render_occlusion *occlusion = target;

@@ -32,6 +32,7 @@ cli_handler render_flag_rows;          /* render_rows */
 cli_handler render_flag_views;         /* render_views */
 cli_handler render_flag_lobes;         /* render_lobes */
 cli_handler render_flag_clip;          /* render_clip */
+cli_handler render_flag_section;       /* render_section */
 cli_handler render_flag_range;         /* double[2] */
 cli_handler render_flag_occlusion;     /* render_occlusion */
 cli_handler render_flag_plane;         /* render_planes */

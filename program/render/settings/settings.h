@@ -18,6 +18,14 @@ typedef struct render_clip {
     int count;
 } render_clip;
 
+/* --section: a cut, and the camera that looks at it. */
+typedef struct render_section {
+    int axis; /* 1 to 3; 0: none */
+    int sign; /* of the axis, on whose side the viewer is; 0: as in the front, right or top view */
+    cli_real offset;          /* along the axis; not given: the object's middle */
+    burnish_clip_plane plane; /* with a normal to the viewer, once the mesh is known */
+} render_section;
+
 /* --color-by, --color-map, --color-range. */
 typedef struct render_coloring {
     const char *by; /* "height", "normal" or a property; NULL: the colours of the input */
@@ -32,6 +40,7 @@ typedef struct render_input_settings {
     cli_real crease;
     int normals; /* burnish_normals_source */
     render_clip clip;
+    render_section section;
     render_coloring coloring;
     int measure; /* 1: the mesh gets its facts, also without a cut */
 } render_input_settings;
@@ -150,6 +159,7 @@ typedef enum render_view {
     VIEW_TOP,
     VIEW_BOTTOM,
     VIEW_ISO,
+    VIEW_SECTION,     /* the standard view of --section */
     VIEW_ALL,         /* all of these, as a sheet */
     VIEW_THIRD_ANGLE, /* layouts of several views */
     VIEW_FIRST_ANGLE
@@ -184,6 +194,7 @@ typedef struct render_picture_settings {
     int callouts;
 
     render_views views;
+    int paper;          /* 1 + its number in the series A; 0: none */
     int columns;        /* 0: chosen by the number of cells */
     int is_on_sheet;    /* 1: a batch has a sheet of all pictures */
     const char *labels; /* NULL: names of views and lobes */

@@ -103,7 +103,7 @@ static layout make_layout(const burnish_sheet_cell *cells, size_t count, int col
     return made;
 }
 
-static void fill_background(burnish_image *image, const uint8_t color[3]) {
+void burnish_image_fill(burnish_image *image, const uint8_t color[3]) {
     size_t count = (size_t)image->width * (size_t)image->height;
     uint8_t *pixel = image->pixels;
     for (size_t i = 0; i < count; ++i) {
@@ -124,11 +124,12 @@ static size_t whole_characters(const char *text, size_t length) {
     return end;
 }
 
-/* Length of the longest beginning of text that fits width together with an ellipsis. */
-static size_t cut_length(const burnish_font *font, const char *text, size_t length, int height,
-                         float width) {
-    float room = width - measure_label(font, ellipsis, sizeof ellipsis - 1, height);
-    size_t fits = 0;
+char *burnish_text_fit(const burnish_font *font, const char *text, int height, float width,
+                       burnish_memory *memory) {
+    const size_t length = strlen(text);
+    const float room = width - measure_label(font, ellipsis, sizeof ellipsis - 1, height);
+    const int is_cut = measure_label(font, text, length, height) > width;
+    size_t fits = is_cut ? 0 : length;
     size_t fails = length + 1;
     while (fails - fits > 1) {
         size_t middle = fits + (fails - fits) / 2;
@@ -138,7 +139,13 @@ static size_t cut_length(const burnish_font *font, const char *text, size_t leng
             fails = middle;
         }
     }
-    return whole_characters(text, fits);
+    fits = whole_characters(text, fits);
+    char *made = fits > 0 ? burnish_allocate(memory, fits + sizeof ellipsis, 1, "a label") : NULL;
+    if (made) {
+        memcpy(made, text, fits);
+        memcpy(made + fits, is_cut ? ellipsis : "", is_cut ? sizeof ellipsis : 1);
+    }
+    return made;
 }
 
 /* The target of labels, and their colour. */
@@ -172,62 +179,41 @@ static burnish_status fill_label(const page *to, int x, int baseline,
     return burnish_outline_fill(&outline, &pixels, &ink);
 }
 
-/* The same cut: the ellipsis is part of the text, which may run to the left. */
-static burnish_status fill_cut_label(const page *to, int x, int baseline,
-                                     const burnish_sheet_cell *cell, size_t length) {
-    char *text = burnish_allocate(to->memory, length + sizeof ellipsis, 1, "a label");
-    if (!text) {
-        return to->memory->status;
-    }
-    memcpy(text, cell->label, length);
-    memcpy(text + length, ellipsis, sizeof ellipsis);
-    const burnish_status status =
-        fill_label(to, x, baseline, cell, text, length + sizeof ellipsis - 1);
-    burnish_release(to->memory->context, text);
-    return status;
-}
-
-/* The first `kept` bytes of the label in burnish's stroke font, with an ellipsis if the label is
- * longer. */
-static burnish_status draw_own_label(const page *to, float left, float baseline, const char *label,
-                                     size_t kept) {
+/* A label in burnish's stroke font. */
+static burnish_status draw_own_label(const page *to, float left, float baseline, const char *name,
+                                     const char *text) {
     const float height = (float)to->made->label;
-    const size_t dots = label[kept] ? sizeof ellipsis - 1 : 0;
-    const float after = left + burnish_text_draw(NULL, 0, 0, height, to->ink, label, kept);
     if (to->image) {
-        burnish_text_draw(to->image, left, baseline, height, to->ink, label, kept);
-        burnish_text_draw(to->image, after, baseline, height, to->ink, ellipsis, dots);
+        burnish_text_draw(to->image, left, baseline, height, to->ink, text, strlen(text));
         return BURNISH_STATUS_OK;
     }
     burnish_stroke_list line = {.memory = to->memory};
-    burnish_text_strokes(left, baseline, height, label, kept, burnish_stroke_list_append, &line);
-    burnish_text_strokes(after, baseline, height, ellipsis, dots, burnish_stroke_list_append,
+    burnish_text_strokes(left, baseline, height, text, strlen(text), burnish_stroke_list_append,
                          &line);
     burnish_drawing_open(to->drawing, to->ink, 1);
-    burnish_drawing_strokes(to->drawing, line.items, line.count, label);
+    burnish_drawing_strokes(to->drawing, line.items, line.count, name);
     burnish_drawing_close(to->drawing);
     burnish_release(to->memory->context, line.items);
     return to->memory->status;
 }
 
-/* x: the cell's left edge; cells too narrow for an ellipsis keep no label. */
+/* x: the cell's left edge; cells too narrow for an ellipsis keep no label. A cut label begins there,
+ * and with a font runs to the left where its script does. */
 static burnish_status draw_label(const page *to, int x, int baseline,
                                  const burnish_sheet_cell *cell) {
-    const char *text = cell->label;
-    const float width = (float)to->made->width;
+    const int height = to->made->label, width = to->made->width;
+    char *text = burnish_text_fit(cell->font, cell->label, height, (float)width, to->memory);
+    if (!text) {
+        return to->memory->status;
+    }
     const size_t length = strlen(text);
-    const float advance = measure_label(cell->font, text, length, to->made->label);
-    const size_t kept =
-        advance <= width ? length : cut_length(cell->font, text, length, to->made->label, width);
-    if (kept == 0) {
-        return BURNISH_STATUS_OK;
-    }
-    if (cell->font) {
-        return kept == length ? fill_label(to, x, baseline, cell, text, length)
-                              : fill_cut_label(to, x, baseline, cell, kept);
-    }
-    const float left = kept == length ? (float)x + (width - advance) * 0.5F : (float)x;
-    return draw_own_label(to, left, (float)baseline, text, kept);
+    const float rest = (float)width - measure_label(cell->font, text, length, height);
+    const float left = strcmp(text, cell->label) == 0 ? (float)x + rest * 0.5F : (float)x;
+    const burnish_status status =
+        cell->font ? fill_label(to, x, baseline, cell, text, length)
+                   : draw_own_label(to, left, (float)baseline, cell->label, text);
+    burnish_release(to->memory->context, text);
+    return status;
 }
 
 /* The layout and the size of the sheet. */
@@ -295,7 +281,7 @@ static burnish_status make_sheet(burnish_image *sheet, const burnish_sheet_cell 
     }
     burnish_memory memory = burnish_memory_of(sheet->context, error);
     const page to = {.image = sheet, .ink = ink, .made = &made, .memory = &memory};
-    fill_background(sheet, background);
+    burnish_image_fill(sheet, background);
     for (size_t i = 0; i < count && status == BURNISH_STATUS_OK; ++i) {
         int x, y;
         cell_corner(&made, i, &x, &y);

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "core/float_mode.h"
 #include "image/text/drawing.h"
+#include "image/text/text.h"
 
 /* Objects: 1 the catalog, 2 the list of pages, 3 the page, 4 its content, 5 the facts. */
 enum { OBJECTS = 5, PERCENT = 100 };
@@ -21,23 +22,25 @@ static void put_text(pdf *w, const char *text) {
     burnish_put_text(&w->out, text);
 }
 
-static void put_hundredths(pdf *w, int32_t value) {
-    burnish_put_decimal(&w->out, value, 2, 1);
+/* Other than in SVG, a sign needs a blank before it. */
+static void put_number(pdf *w, int64_t value, int digits) {
+    put_text(w, " ");
+    burnish_put_decimal(&w->out, value, digits, 0);
 }
 
-static void put_integer(pdf *w, size_t value) {
-    burnish_put_decimal(&w->out, (int64_t)value, 0, 1);
+static void put_hundredths(pdf *w, int32_t value) {
+    put_number(w, value, 2);
 }
 
 /* A component of a colour, as 10000ths of 1. */
 static void put_color(pdf *w, const uint8_t color[3], const char *operator) {
     for (int k = 0; k < 3; ++k) {
-        burnish_put_decimal(&w->out, (color[k] * 10000 + 127) / 255, 4, 1);
+        put_number(w, (color[k] * 10000 + 127) / 255, 4);
     }
     put_text(w, operator);
 }
 
-/* A string in parentheses; other characters than ASCII become '?'. */
+/* A string in parentheses; characters beyond ASCII become ?, but for the diameter. */
 static void put_string(pdf *w, const char *text) {
     put_text(w, "(");
     for (; *text; ++text) {
@@ -46,7 +49,8 @@ static void put_string(pdf *w, const char *text) {
             put_text(w, "\\");
         }
         if (((unsigned char)c & 0xC0) != 0x80) { /* once for a character of UTF-8 */
-            burnish_put(&w->out, c >= ' ' && c < 127 ? &c : "?", 1);
+            const int is_diameter = strncmp(text, BURNISH_DIAMETER, 2) == 0;
+            put_text(w, is_diameter ? "\\330" : c >= ' ' && c < 127 ? (char[]){c, 0} : "?");
         }
     }
     put_text(w, ")");
@@ -133,11 +137,11 @@ static void put_op(pdf *w, const burnish_drawing *drawing, const burnish_drawing
         break;
     case BURNISH_DRAWING_PLACE:
         put_text(w, "q 1 0 0 1");
-        put_integer(w, (size_t)op->area[0]);
-        put_integer(w, (size_t)op->area[1]);
+        put_number(w, op->area[0], 0);
+        put_number(w, op->area[1], 0);
         put_text(w, " cm 0 0");
-        put_integer(w, (size_t)op->area[2]);
-        put_integer(w, (size_t)op->area[3]);
+        put_number(w, op->area[2], 0);
+        put_number(w, op->area[3], 0);
         put_text(w, " re W n\n");
         break;
     case BURNISH_DRAWING_CLOSE:
@@ -155,14 +159,14 @@ static void put_content(pdf *w, const burnish_drawing *drawing, const uint8_t ba
     const int64_t scale = (int64_t)(points * 1e6 + 0.5);
     burnish_put_decimal(&w->out, scale, 6, 0);
     put_text(w, " 0 0");
-    burnish_put_decimal(&w->out, -scale, 6, 1);
+    put_number(w, -scale, 6);
     put_text(w, " 0");
-    burnish_put_decimal(&w->out, (int64_t)(drawing->height * points * 1e4 + 0.5), 4, 1);
+    put_number(w, (int64_t)(drawing->height * points * 1e4 + 0.5), 4);
     put_text(w, " cm\n");
     if (background) {
         put_color(w, background, " rg 0 0");
-        put_integer(w, (size_t)drawing->width);
-        put_integer(w, (size_t)drawing->height);
+        put_number(w, drawing->width, 0);
+        put_number(w, drawing->height, 0);
         put_text(w, " re f\n");
     }
     for (size_t i = 0; i < drawing->op_count; ++i) {
@@ -181,9 +185,10 @@ static void begin_object(pdf *w, size_t number) {
 static void put_page(pdf *w, const burnish_drawing *drawing, double points) {
     begin_object(w, 3);
     put_text(w, "<< /Type /Page /Parent 2 0 R /Contents 4 0 R /MediaBox [0 0");
-    burnish_put_decimal(&w->out, (int64_t)(drawing->width * points * 1e4 + 0.5), 4, 1);
-    burnish_put_decimal(&w->out, (int64_t)(drawing->height * points * 1e4 + 0.5), 4, 1);
+    put_number(w, (int64_t)(drawing->width * points * 1e4 + 0.5), 4);
+    put_number(w, (int64_t)(drawing->height * points * 1e4 + 0.5), 4);
     put_text(w, "] /Resources << /Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica "
+                "/Encoding /WinAnsiEncoding "
                 ">> >> /ExtGState <<");
     for (int i = 0; i <= PERCENT; ++i) {
         if (w->has_opacity[i]) {
@@ -207,7 +212,7 @@ static void put_objects(pdf *w, const burnish_drawing *drawing, const char *titl
     put_page(w, drawing, points);
     begin_object(w, 4);
     put_text(w, "<< /Length");
-    put_integer(w, content->size);
+    put_number(w, (int64_t)content->size, 0);
     put_text(w, " >>\nstream\n");
     burnish_put(&w->out, content->text, content->size);
     put_text(w, "endstream\nendobj\n");

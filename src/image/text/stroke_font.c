@@ -2,7 +2,8 @@
 #include "image/text/stroke_font.h"
 
 /* clang-format off */
-static const burnish_glyph glyphs[127 - 32] = {
+static const burnish_glyph glyphs[BURNISH_GLYPH_DIAMETER + 1 - 32] = {
+    [BURNISH_GLYPH_DIAMETER - 32] = {8, 76, 8, 0, {0, 0}, "M0 50B38 12A76 50B38 88A0 50M4 2L72 98"},
     [' ' - 32] = {0, 21, 0, 0, {0, 0}, ""},
     ['!' - 32] = {13, 0, 13, 0, {0, 0}, "M0 100V34D0 1"},
     ['"' - 32] = {10, 22, 10, 0, {0, 0}, "M0 100V72M22 100V72"},
@@ -132,7 +133,7 @@ typedef struct plotter {
 } plotter;
 
 const burnish_glyph *burnish_glyph_find(unsigned char character) {
-    return &glyphs[(character >= 32 && character <= 126 ? character : '?') - 32];
+    return &glyphs[(character >= 32 && character <= BURNISH_GLYPH_DIAMETER ? character : '?') - 32];
 }
 
 float burnish_glyph_pixels(const burnish_glyph_scale *scale, int units) {

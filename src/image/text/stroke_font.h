@@ -11,6 +11,7 @@
 #include "image/text/strokes.h"
 
 enum {
+    BURNISH_GLYPH_DIAMETER = 127, /* its place among the characters */
     BURNISH_GLYPH_CAP = 100,
     BURNISH_GLYPH_DESCENDER = -26,
     BURNISH_GLYPH_MAX_STROKES = 1024 /* a test draws every glyph at the largest size */
@@ -33,7 +34,7 @@ typedef struct burnish_glyph_scale {
     float radius; /* of the pen, in pixels */
 } burnish_glyph_scale;
 
-/* The glyph of an ASCII character 32..126, of '?' for any other. */
+/* The glyph of an ASCII character 32..126 or of a diameter, of '?' for any other. */
 const burnish_glyph *burnish_glyph_find(unsigned char character);
 
 /* The whole number of pixels nearest to units >= 0. */

@@ -107,7 +107,10 @@ static float set_line(float x, float y, float height, const char *text, size_t l
         if ((character & 0xC0) == 0x80 && i > 0 && (unsigned char)text[i - 1] >= 0x80) {
             continue; /* the rest of a UTF-8 character, whose first byte gave the '?' */
         }
-        const burnish_glyph *glyph = burnish_glyph_find(character);
+        const int is_diameter = length - i > 1 && memcmp(text + i, BURNISH_DIAMETER, 2) == 0;
+        const burnish_glyph *glyph = burnish_glyph_find(is_diameter       ? BURNISH_GLYPH_DIAMETER
+                                                        : character < 127 ? character
+                                                                          : '?');
         advance += gap_pixels(&scale, before, glyph);
         scale.x = x + advance + seat * 0.5F;
         if (take && near_image(scale.x) && near_image(scale.y)) {

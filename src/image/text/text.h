@@ -8,9 +8,20 @@
 #include "burnish/sheet.h"
 #include "image/text/strokes.h"
 
+/* The sign of a diameter in UTF-8, the only character beyond ASCII. */
+#define BURNISH_DIAMETER "\xC3\x98"
+
 /* burnish_image_draw_text for the first length bytes of text. */
 float burnish_text_draw(burnish_image *image, float x, float y, float height,
                         const uint8_t color[3], const char *text, size_t length);
+
+/* Gives all pixels a colour, opaque. */
+void burnish_image_fill(burnish_image *image, const uint8_t color[3]);
+
+/* Text, or as much of it as fits a width together with an ellipsis, in whole characters; the caller
+ * releases it. NULL: nothing fits, or out of memory. font: NULL for burnish's own. */
+char *burnish_text_fit(const burnish_font *font, const char *text, int height, float width,
+                       burnish_memory *memory);
 
 /* Takes the strokes of one glyph. */
 typedef void burnish_take_strokes(void *context, const burnish_stroke *strokes, size_t count);

@@ -554,10 +554,10 @@ burnish_status burnish_line_art_draw(const burnish_line_art *art,
 }
 
 void burnish_line_art_destroy(burnish_line_art *art, const burnish_context *context) {
-    void *const arrays[] = {art->axes.items,   art->edges.items, art->joints, art->facing,
-                            art->block_counts, art->segments,    art->links,  art->points,
-                            art->starts,       art->widths,      art->is_rim, art->depth,
-                            art->triangles};
+    void *const arrays[] = {art->axes.items, art->axes.circles, art->edges.items, art->joints,
+                            art->facing,     art->block_counts, art->segments,    art->links,
+                            art->points,     art->starts,       art->widths,      art->is_rim,
+                            art->depth,      art->triangles};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; ++i) {
         burnish_release(context, arrays[i]);
     }

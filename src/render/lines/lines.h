@@ -10,33 +10,9 @@
 #include "base/memory.h"
 #include "burnish/render.h"
 #include "core/tasks.h"
-#include "core/vec3.h"
-#include "mesh/edges.h"
+#include "mesh/axes.h"
 #include "raster/raster_view.h"
 #include "render/space.h"
-
-/* ---- Axes of cylinders, cones and holes: of circles among the sharp edges of a mesh (axes.c) ---- */
-
-typedef struct burnish_line_axis {
-    burnish_vec3 origin, direction; /* unit length */
-    double from, to;                /* along the direction: the first and the last circle */
-    double radii[2];                /* of these circles */
-    double radius;                  /* of the largest */
-} burnish_line_axis;
-
-typedef struct burnish_line_axes {
-    burnish_line_axis *items;
-    size_t count, capacity;
-} burnish_line_axes;
-
-/* Finds axes that two circles or more have in common. A circle is a closed loop of at least 12
- * sharp edges that meets no other sharp edge, with its vertices in a plane and on a circle to 0.4 %
- * of its radius, none of them further apart than 3/5 of it. Meshes with more than 4,096 axes or
- * 16,384 circles have none. Errors: memory->status. Release items with burnish_release. */
-void burnish_line_axes_find(const burnish_mesh_view *mesh, const burnish_edges *edges,
-                            burnish_memory *memory, burnish_line_axes *axes);
-
-/* ---- lines.c ---- */
 
 /* The view of the frame whose lines are drawn. */
 typedef struct burnish_line_view {
@@ -65,7 +41,7 @@ typedef struct burnish_line_art {
     uint64_t mesh; /* whose edges they are, burnish_mesh_view.serial; 0: nobody's */
     burnish_edges edges;
     uint64_t axes_mesh; /* whose axes they are; 0: nobody's */
-    burnish_line_axes axes;
+    burnish_axes axes;
     uint32_t *joints; /* of each vertex: a segment's end there, while segments are linked */
     size_t joint_capacity;
 

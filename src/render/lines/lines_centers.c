@@ -35,12 +35,12 @@ static int project_position(const drawer *d, burnish_vec3 position, double at[2]
     return 1;
 }
 
-static burnish_vec3 point_along(const burnish_line_axis *axis, double t) {
+static burnish_vec3 point_along(const burnish_axis_line *axis, double t) {
     return burnish_vec3_add(axis->origin, burnish_vec3_scale(axis->direction, t));
 }
 
 /* Two unit vectors across an axis. */
-static void frame_of(const burnish_line_axis *axis, burnish_vec3 *u, burnish_vec3 *v) {
+static void frame_of(const burnish_axis_line *axis, burnish_vec3 *u, burnish_vec3 *v) {
     const burnish_vec3 d = axis->direction;
     const burnish_vec3 other = d.x * d.x < 0.5 ? (burnish_vec3){1, 0, 0} : (burnish_vec3){0, 1, 0};
     *u = burnish_vec3_normalize(burnish_vec3_cross(d, other));
@@ -49,7 +49,7 @@ static void frame_of(const burnish_line_axis *axis, burnish_vec3 *u, burnish_vec
 
 /* Whether the first or the last circle is seen at a few of its points, which are moved inward by
  * INWARD pixels: the wall of a cylinder is seen there, not what is beyond its edge. */
-static int is_seen(const drawer *d, const burnish_line_axis *axis, double pixel) {
+static int is_seen(const drawer *d, const burnish_axis_line *axis, double pixel) {
     static const double cosine = 0.96592582628906828675, sine = 0.25881904510252076235; /* 15 deg */
     burnish_vec3 u, v;
     frame_of(axis, &u, &v);
@@ -97,7 +97,7 @@ static void add_chain(const drawer *d, const double from[2], const double to[2])
 }
 
 /* Both lines of a cross, or the line along the axis. */
-static void add_axis(const drawer *d, const burnish_line_axis *axis, int with_hidden) {
+static void add_axis(const drawer *d, const burnish_axis_line *axis, int with_hidden) {
     const burnish_vec3 middle = point_along(axis, (axis->from + axis->to) / 2);
     const burnish_vec3 toward =
         d->projection->is_parallel
@@ -139,7 +139,7 @@ void burnish_line_art_add_centers(burnish_line_art *art, const burnish_mesh_view
                                   const burnish_render_options *options, burnish_memory *memory) {
     const drawer d = {art, scene, projection, memory};
     if (art->axes_mesh != mesh->serial) {
-        burnish_line_axes_find(mesh, &art->edges, memory, &art->axes);
+        burnish_axes_find(mesh, &art->edges, memory, &art->axes);
         art->axes_mesh = memory->status == BURNISH_STATUS_OK ? mesh->serial : 0;
     }
     for (size_t i = 0; i < art->axes.count && memory->status == BURNISH_STATUS_OK; ++i) {

@@ -1,5 +1,5 @@
 /* Circles among sharp edges, and the axes that they share. */
-#include "render/lines/lines.h"
+#include "mesh/axes.h"
 
 #include <string.h>
 
@@ -21,7 +21,7 @@ typedef struct finder {
     uint8_t *is_walked;
     burnish_vec3 *points; /* of the loop at hand */
     size_t point_count, point_capacity;
-    burnish_line_axes *axes;
+    burnish_axes *axes;
 } finder;
 
 static int is_sharp(const burnish_edge *edge) {
@@ -112,9 +112,10 @@ static int is_circle(const finder *f, burnish_vec3 center, burnish_vec3 normal, 
 }
 
 static void add_circle(finder *f, burnish_vec3 center, burnish_vec3 normal, double radius) {
-    burnish_line_axes *axes = f->axes;
-    for (size_t i = 0; i < axes->count; ++i) {
-        burnish_line_axis *axis = &axes->items[i];
+    burnish_axes *axes = f->axes;
+    size_t i = 0;
+    for (; i < axes->count; ++i) {
+        burnish_axis_line *axis = &axes->items[i];
         const burnish_vec3 away = burnish_vec3_sub(center, axis->origin);
         const double largest = radius > axis->radius ? radius : axis->radius;
         const double at = burnish_vec3_dot(away, axis->direction);
@@ -126,22 +127,26 @@ static void add_circle(finder *f, burnish_vec3 center, burnish_vec3 normal, doub
             axis->from = at < axis->from ? at : axis->from;
             axis->to = at > axis->to ? at : axis->to;
             axis->radius = largest;
-            return;
+            break;
         }
     }
-    axes->items = burnish_reserve(f->memory, axes->items, &axes->capacity, axes->count + 1,
+    axes->items = burnish_reserve(f->memory, axes->items, &axes->capacity, i + 1,
                                   sizeof *axes->items, "axes");
+    axes->circles = burnish_reserve(f->memory, axes->circles, &axes->circle_capacity,
+                                    axes->circle_count + 1, sizeof *axes->circles, "circles");
     if (f->memory->status == BURNISH_STATUS_OK) {
-        axes->items[axes->count++] =
-            (burnish_line_axis){center, normal, 0, 0, {radius, radius}, radius};
+        axes->circles[axes->circle_count++] = (burnish_circle){center, radius, i};
+        if (i == axes->count) {
+            axes->items[axes->count++] =
+                (burnish_axis_line){center, normal, 0, 0, {radius, radius}, radius};
+        }
     }
 }
 
 static void find_axes(finder *f) {
-    burnish_line_axes *axes = f->axes;
-    size_t kept = 0, circles = 0;
+    burnish_axes *axes = f->axes;
     for (uint32_t i = 0; i < f->edges->count && f->memory->status == BURNISH_STATUS_OK &&
-                         axes->count <= AXES_MAX && circles <= CIRCLES_MAX;
+                         axes->count <= AXES_MAX && axes->circle_count <= CIRCLES_MAX;
          ++i) {
         burnish_vec3 center, normal;
         double radius;
@@ -149,23 +154,21 @@ static void find_axes(finder *f) {
             f->point_count >= LEAST_VERTICES && fit_circle(f, &center, &normal, &radius) &&
             is_circle(f, center, normal, radius)) {
             add_circle(f, center, normal, radius);
-            ++circles;
         }
     }
-    axes->count = axes->count > AXES_MAX || circles > CIRCLES_MAX ? 0 : axes->count;
+    if (axes->count > AXES_MAX || axes->circle_count > CIRCLES_MAX) {
+        axes->count = axes->circle_count = 0;
+    }
     for (size_t i = 0; i < axes->count; ++i) {
-        const burnish_line_axis *axis = &axes->items[i];
-        if (axis->to - axis->from > LEAST_SPAN * axis->radius) {
-            axes->items[kept++] = *axis;
-        }
+        burnish_axis_line *axis = &axes->items[i];
+        axis->radius = axis->to - axis->from > LEAST_SPAN * axis->radius ? axis->radius : 0;
     }
-    axes->count = kept;
 }
 
-void burnish_line_axes_find(const burnish_mesh_view *mesh, const burnish_edges *edges,
-                            burnish_memory *memory, burnish_line_axes *axes) {
+void burnish_axes_find(const burnish_mesh_view *mesh, const burnish_edges *edges,
+                       burnish_memory *memory, burnish_axes *axes) {
     finder f = {.mesh = mesh, .edges = edges, .memory = memory, .axes = axes};
-    axes->count = 0;
+    axes->count = axes->circle_count = 0;
     f.at = burnish_allocate(memory, mesh->vertex_count, 2 * sizeof *f.at, "circles");
     f.is_walked = burnish_allocate_zeroed(memory, edges->count, 1, "circles");
     if (memory->status == BURNISH_STATUS_OK) {

@@ -1,0 +1,295 @@
+/* Diameters of the circles that a view sees end on, one for equal ones, and the positions of their
+ * centres: running dimensions from one origin (ISO 129-1), above the object and on its left. */
+#include <stdio.h>
+#include <string.h>
+
+#include "annotate/annotate.h"
+#include "image/text/text.h"
+#include "mesh/axes.h"
+
+/* In heights of a capital. */
+#define OFFSET 1.2 /* from the object's box to the line of positions */
+#define OVER 0.3   /* of an extension line beyond it, and from there to its number */
+#define CLEAR 0.3  /* around labels */
+#define ORIGIN 0.4
+#define SHORTEST 1.1 /* leader */
+#define STEP 1.3     /* between the lengths of a leader that are tried */
+
+#define END_ON_SINE 1e-3
+#define EDGE_ON_SINE 0.1
+#define LEAST_RADIUS 2.0 /* pixels */
+#define SAME 0.05        /* pixels between positions that are one */
+#define DIAGONAL 0.70710678118654752440
+
+/* Bounds of time: labels in all, those that are tried next to circles, and edges that each keeps clear of. */
+enum { LABELS_MAX = 56, LEADERS = 32, MEMBERS = 8, DIAMETERS_MAX = 32, OUTLINES_MAX = 1 << 16 };
+
+typedef struct hole {
+    burnish_point at;
+    double radius;                 /* pixels */
+    double largest;                /* of the circles around the same centre */
+    char text[BURNISH_LABEL_SIZE]; /* its diameter */
+    int is_done;
+} hole;
+
+typedef struct finder {
+    const burnish_annotation_view *view;
+    burnish_annotation_list *list;
+    burnish_annotation_list outlines; /* edges of the object, which labels keep clear of */
+    hole *holes;
+    size_t count, capacity;
+    int diameters; /* that were tried */
+} finder;
+
+/* Whether two of a circle's outermost points are seen. */
+static int is_circle_seen(const finder *f, const burnish_circle *circle) {
+    int seen = 0;
+    for (int i = 0; i < 4; ++i) {
+        const burnish_vec3 away = burnish_vec3_scale(i & 1 ? f->view->right : f->view->up,
+                                                     i & 2 ? circle->radius : -circle->radius);
+        double distance;
+        const burnish_point p =
+            burnish_annotation_project(f->view, burnish_vec3_add(circle->center, away), &distance);
+        seen += burnish_annotation_is_seen(f->view, p, distance);
+    }
+    return seen >= 2;
+}
+
+static void add_hole(finder *f, const burnish_circle *circle, const burnish_axis_line *axis) {
+    double distance;
+    hole made = {.at = burnish_annotation_project(f->view, circle->center, &distance)};
+    made.radius = made.largest = circle->radius * f->view->pixels;
+    if (axis->radius == 0 ||
+        burnish_vec3_length(burnish_vec3_cross(axis->direction, f->view->forward)) > END_ON_SINE ||
+        made.radius < LEAST_RADIUS || !is_circle_seen(f, circle)) {
+        return;
+    }
+    burnish_number_text(2 * circle->radius, made.text);
+    for (size_t i = 0; i < f->count; ++i) {
+        hole *other = &f->holes[i];
+        const double x = other->at.x - made.at.x, y = other->at.y - made.at.y;
+        if (x * x + y * y < SAME * SAME) {
+            other->largest = made.largest =
+                made.largest > other->largest ? made.largest : other->largest;
+            if (strcmp(other->text, made.text) == 0) {
+                return;
+            }
+        }
+    }
+    f->holes = burnish_reserve(f->list->memory, f->holes, &f->capacity, f->count + 1,
+                               sizeof *f->holes, "holes");
+    if (f->list->memory->status == BURNISH_STATUS_OK) {
+        f->holes[f->count++] = made;
+    }
+}
+
+/* Sharp edges, hidden ones too, and those of smooth surfaces that are seen edge on. */
+static void add_outlines(finder *f, const burnish_edges *edges) {
+    const burnish_mesh_view *mesh = f->view->mesh;
+    for (size_t i = 0; i < edges->count && f->outlines.line_count <= OUTLINES_MAX; ++i) {
+        int is_outline = edges->items[i].flags & BURNISH_EDGE_SHARP ? 2 : 0;
+        burnish_point p[2];
+        for (int k = 0; k < 2; ++k) {
+            const size_t at = 3 * (size_t)edges->items[i].ends[k];
+            const double sine =
+                burnish_vec3_dot(burnish_vec3_loadf(mesh->normals + at), f->view->forward);
+            double distance;
+            p[k] = burnish_annotation_project(f->view, burnish_vec3_loadf(mesh->positions + at),
+                                              &distance);
+            is_outline += sine > -EDGE_ON_SINE && sine < EDGE_ON_SINE;
+        }
+        if (is_outline >= 2) {
+            burnish_annotation_add_line(&f->outlines, p[0], p[1], f->view->line,
+                                        BURNISH_LAYER_LINES);
+        }
+    }
+}
+
+/* A label with a gap between it and a point, which d leads away from along an axis of the picture. */
+static burnish_annotation_label label_beside(const finder *f, const char *text, burnish_point p,
+                                             burnish_point d, double gap) {
+    const burnish_area own =
+        burnish_annotation_label_at(f->view, text, p, BURNISH_LAYER_LINES).area;
+    const double reach = (d.x != 0 ? own.right - own.left : own.bottom - own.top) / 2;
+    return burnish_annotation_label_at(f->view, text, burnish_moved_along(p, d, gap + reach),
+                                       BURNISH_LAYER_LINES);
+}
+
+/* Takes a label if there is room. */
+static int take_label(finder *f, const burnish_annotation_label *label) {
+    const burnish_area area = burnish_area_grown(label->area, CLEAR * f->view->text);
+    if (f->list->label_count >= LABELS_MAX ||
+        !burnish_annotation_is_within(f->view, &label->area) ||
+        !burnish_annotation_is_free(f->list, &area) ||
+        !burnish_annotation_is_free(&f->outlines, &area)) {
+        return 0;
+    }
+    burnish_annotation_add_label(f->list, label);
+    return 1;
+}
+
+static void add_line(const finder *f, burnish_point a, burnish_point b) {
+    burnish_annotation_add_line(f->list, a, b, f->view->line, BURNISH_LAYER_LINES);
+}
+
+/* ---- Diameters ---- */
+
+/* A leader from the circle to a label outside it, along a diagonal. */
+static int try_leader(finder *f, const hole *h, const char *text, int which) {
+    const double step = (SHORTEST + STEP * (which / 4)) * f->view->text;
+    const double side = which & 1 ? -1 : 1;
+    const burnish_point d = {side * DIAGONAL, which & 2 ? DIAGONAL : -DIAGONAL};
+    const burnish_point tip = burnish_moved_along(h->at, d, h->radius);
+    const burnish_point elbow = burnish_moved_along(tip, d, step);
+    const burnish_annotation_label label =
+        label_beside(f, text, elbow, (burnish_point){side, 0}, CLEAR * f->view->text);
+    for (double at = SHORTEST * f->view->text; at < step; at += CLEAR * f->view->text) {
+        const burnish_point p = burnish_moved_along(tip, d, at);
+        const burnish_area around =
+            burnish_area_grown((burnish_area){p.x, p.y, p.x, p.y}, CLEAR * f->view->text / 2);
+        if (!burnish_annotation_is_free(f->list, &around)) {
+            return 0;
+        }
+    }
+    if (!take_label(f, &label)) {
+        return 0;
+    }
+    burnish_annotation_add_arrow(f->view, tip, d, f->list);
+    add_line(f, burnish_moved_along(tip, d, BURNISH_ARROW_LENGTH * f->view->text), elbow);
+    return 1;
+}
+
+/* One for all circles of a diameter, next to one of the first. */
+static void add_diameter(finder *f, size_t first) {
+    char text[BURNISH_LABEL_SIZE], number[24] = "";
+    size_t members[MEMBERS], count = 0;
+    int is_placed = 0;
+    for (size_t i = first; i < f->count; ++i) {
+        if (strcmp(f->holes[i].text, f->holes[first].text) == 0) {
+            f->holes[i].is_done = 1;
+            members[count < MEMBERS ? count : MEMBERS - 1] = i;
+            ++count;
+        }
+    }
+    if (count > 1) {
+        snprintf(number, sizeof number, "%zux ", count);
+    }
+    snprintf(text, sizeof text, "%.8s" BURNISH_DIAMETER "%.20s", number, f->holes[first].text);
+    const int leaders = ++f->diameters <= DIAMETERS_MAX ? LEADERS : 0;
+    for (int which = 0; which < leaders; ++which) {
+        for (size_t i = 0; i < count && i < MEMBERS && !is_placed; ++i) {
+            is_placed = try_leader(f, &f->holes[members[i]], text, which);
+        }
+    }
+    f->list->left_out += !is_placed;
+}
+
+/* ---- Positions ---- */
+
+/* Along x above the box, or along y on its left. */
+typedef struct running {
+    burnish_point origin, along, out;
+} running;
+
+static double measure(const running *r, const hole *h, burnish_point d) {
+    return (h->at.x - r->origin.x) * d.x + (h->at.y - r->origin.y) * d.y;
+}
+
+/* The next position after `last`, of the circle nearest to the line; NULL: none. A circle that
+ * reaches the origin's edge has no position: a round object has no edge to measure from. */
+static const hole *next_position(const finder *f, const running *r, double last) {
+    const hole *next = NULL;
+    for (size_t i = 0; i < f->count; ++i) {
+        const hole *h = &f->holes[i];
+        const double at = measure(r, h, r->along), best = next ? measure(r, next, r->along) : 0;
+        if (at > last + SAME && at > h->largest + SAME &&
+            (!next || at < best - SAME ||
+             (at < best + SAME && measure(r, h, r->out) > measure(r, next, r->out)))) {
+            next = h;
+        }
+    }
+    return next;
+}
+
+static void add_positions(finder *f, const running *r) {
+    const double text = f->view->text, arrow = BURNISH_ARROW_LENGTH * text;
+    const burnish_point origin = burnish_moved_along(r->origin, r->out, OFFSET * text);
+    double at = 0, last = 0;
+    for (const hole *h = next_position(f, r, 0); h; h = next_position(f, r, at)) {
+        char number[BURNISH_LABEL_SIZE];
+        at = measure(r, h, r->along);
+        burnish_number_text(at / f->view->pixels, number);
+        const burnish_point on = burnish_moved_along(origin, r->along, at);
+        const burnish_point end = burnish_moved_along(on, r->out, OVER * text);
+        const burnish_annotation_label label = label_beside(f, number, end, r->out, OVER * text);
+        if (!take_label(f, &label)) {
+            ++f->list->left_out;
+            continue;
+        }
+        burnish_annotation_add_line(
+            f->list, burnish_moved_along(h->at, r->out, h->largest + CLEAR * text), end,
+            f->view->line / 2, BURNISH_LAYER_BOX); /* narrow and without a rim over the object */
+        const burnish_point edge = burnish_moved_along(on, r->out, (CLEAR - OFFSET) * text);
+        add_line(f, on, end);
+        if (!burnish_annotation_hits_label(f->list, edge, on, f->view->line)) {
+            add_line(f, edge, on); /* else the narrow line ends at the label's rim */
+        }
+        add_line(f, burnish_moved_along(origin, r->along, last), on);
+        if (at - last > 1.5 * arrow) {
+            burnish_annotation_add_arrow(f->view, on, (burnish_point){-r->along.x, -r->along.y},
+                                         f->list);
+        }
+        last = at;
+    }
+    if (last > 0) {
+        burnish_annotation_add_line(f->list, origin, origin, ORIGIN * text, BURNISH_LAYER_LINES);
+        add_line(f, burnish_moved_along(r->origin, r->out, CLEAR * text),
+                 burnish_moved_along(origin, r->out, OVER * text));
+    }
+}
+
+/* ---- All ---- */
+
+static void annotate_holes(finder *f) {
+    const burnish_area box = f->view->box;
+    for (size_t i = 0; i < f->count; ++i) { /* centre lines */
+        for (int k = 0; k < 2; ++k) {
+            const burnish_point d = {k, 1 - k};
+            const double reach = f->holes[i].largest + f->view->text;
+            burnish_annotation_add_line(&f->outlines, burnish_moved_along(f->holes[i].at, d, reach),
+                                        burnish_moved_along(f->holes[i].at, d, -reach),
+                                        f->view->line, BURNISH_LAYER_LINES);
+        }
+    }
+    add_positions(f, &(running){{box.left, box.top}, {1, 0}, {0, -1}});
+    add_positions(f, &(running){{box.left, box.bottom}, {0, -1}, {-1, 0}});
+    for (size_t i = 0; i < f->count; ++i) {
+        if (!f->holes[i].is_done) {
+            add_diameter(f, i);
+        }
+    }
+}
+
+void burnish_annotate_holes(const burnish_annotation_view *view, burnish_annotation_list *list) {
+    burnish_memory *memory = list->memory;
+    finder f = {.view = view, .list = list, .outlines = {.memory = memory}};
+    burnish_tasks tasks;
+    burnish_edges edges = {NULL, 0};
+    burnish_axes axes = {.count = 0};
+    burnish_tasks_begin(&tasks, memory->context, 1);
+    if (view->parallel &&
+        burnish_edges_find(view->mesh, &tasks, memory, &edges) == BURNISH_STATUS_OK) {
+        burnish_axes_find(view->mesh, &edges, memory, &axes);
+    }
+    for (size_t i = 0; i < axes.circle_count && memory->status == BURNISH_STATUS_OK; ++i) {
+        add_hole(&f, &axes.circles[i], &axes.items[axes.circles[i].axis]);
+    }
+    if (f.count > 0 && memory->status == BURNISH_STATUS_OK) {
+        add_outlines(&f, &edges);
+        annotate_holes(&f);
+    }
+    void *const arrays[] = {edges.items, axes.items, axes.circles, f.holes, f.outlines.lines};
+    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; ++i) {
+        burnish_release(memory->context, arrays[i]);
+    }
+}

@@ -1,0 +1,35 @@
+/* Axes of cylinders, cones and holes: of circles among the sharp edges of a mesh. */
+#ifndef BURNISH_MESH_AXES_H
+#define BURNISH_MESH_AXES_H
+
+#include "core/vec3.h"
+#include "mesh/edges.h"
+
+typedef struct burnish_axis_line {
+    burnish_vec3 origin, direction; /* unit length */
+    double from, to;                /* along the direction: the first and the last circle */
+    double radii[2];                /* of these circles */
+    double radius;                  /* of the largest; 0: there is only one, and so no axis */
+} burnish_axis_line;
+
+typedef struct burnish_circle {
+    burnish_vec3 center;
+    double radius;
+    size_t axis;
+} burnish_circle;
+
+typedef struct burnish_axes {
+    burnish_axis_line *items;
+    size_t count, capacity;
+    burnish_circle *circles;
+    size_t circle_count, circle_capacity;
+} burnish_axes;
+
+/* Finds axes that two circles or more have in common. A circle is a closed loop of at least 12
+ * sharp edges that meets no other sharp edge, with its vertices in a plane and on a circle to 0.4 %
+ * of its radius, none of them further apart than 3/5 of it. Meshes with more than 4,096 axes or
+ * 16,384 circles have none. Errors: memory->status. Release both arrays with burnish_release. */
+void burnish_axes_find(const burnish_mesh_view *mesh, const burnish_edges *edges,
+                       burnish_memory *memory, burnish_axes *axes);
+
+#endif
