@@ -25,6 +25,11 @@ static burnish_status draw_mesh(const render_result *result, render_cell *cell, 
     const int needs_coverage = options->counts == BURNISH_COUNTS_AREA && options->ground;
     const int needs_triangles = result->settings->picture.callouts;
     *depth = NULL;
+    if (!needs_depth && !needs_coverage && !needs_triangles) {
+        return burnish_renderer_draw(result->renderer, result->mesh, options, &cell->image,
+                                     &cell->report, error);
+    }
+    burnish_image_destroy(&cell->image);
     burnish_status status = burnish_image_create(NULL, &cell->image, options->width, rows,
                                                  options->transparent ? 4 : 3, error);
     if (status != BURNISH_STATUS_OK) {
