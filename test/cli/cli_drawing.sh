@@ -176,6 +176,7 @@ cp ../block.obj "a-part-whose-name-is-much-too-long-for-the-title-block-of-a-dra
 for page in a4=297=210 a3=420=297; do
     run render a-part*.obj --look=drawing --views=first-angle --paper=${page%%=*} --dpi=254 -o a.svg
     size=${page#*=}
+    check "visible edges are half a millimetre wide" grep -q 'stroke-width="5"' a.svg
     check "a page: $(head -n 1 a.svg)" grep -q "width=\"${size%=*}mm\" height=\"${size#*=}mm\"" a.svg
     for text in "${page%%=*}" mm '[0-9]*:1' 'a-part-whose-name-.*-the-[^"]*[.][.][.]'; do
         check "$text in $(grep -o 'aria-label="[^"]*"' a.svg)" grep -qi "aria-label=\"$text\"" a.svg

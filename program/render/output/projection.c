@@ -76,6 +76,8 @@ static burnish_status aim_view(render_result *result, size_t i, burnish_error *e
     return status;
 }
 
+#define WIDE_LINE 0.5 /* millimetres, of the widths of ISO 128-2; others are 3/5 of it or less */
+
 /* A pictorial view has neither hidden lines nor centre lines, a section no hidden lines. */
 void render_aim_projection(const render_result *result, const render_cell *cell,
                            burnish_render_options *options) {
@@ -87,6 +89,10 @@ void render_aim_projection(const render_result *result, const render_cell *cell,
         (has_hidden ? BURNISH_EDGES_HIDDEN : 0) |
         (result->settings->shading.center_lines ? BURNISH_EDGES_CENTERS : 0);
     options->edges = is_pictorial ? options->edges & ~hidden : options->edges | hidden;
+    const float wide = (float)(WIDE_LINE * result->projection.pixels_per_millimetre);
+    if (!result->settings->shading.edge_width.given && wide > options->edge_width) {
+        options->edge_width = wide < BURNISH_EDGE_WIDTH_MAX ? wide : BURNISH_EDGE_WIDTH_MAX;
+    }
 }
 
 burnish_status render_lay_out_projection(render_result *result, burnish_error *error) {
