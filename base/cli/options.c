@@ -197,10 +197,10 @@ static const char *flag_name_at(const void *list, size_t index) {
 }
 
 /* The flag with this name in another program, or NULL. */
-static const char *flag_of_alias(const cli_command *command, const char *name) {
+static const char *flag_of_alias(const cli_command *command, const char *name, size_t length) {
     const cli_flag *flag;
     for (size_t i = 0; (flag = cli_flag_at(command, i)) != NULL; ++i) {
-        if (cli_in_list(flag->aliases, name, strlen(name))) {
+        if (cli_in_list(flag->aliases, name, length)) {
             return flag->name;
         }
     }
@@ -212,7 +212,7 @@ static burnish_status fail_unknown(const cli_command *command, const char *argum
     char name[CLI_NAME_MAX + 1];
     const char *given = argument[1] == '-' ? argument + 2 : argument + 1;
     snprintf(name, sizeof name, "%.*s", (int)strcspn(given, "="), given);
-    const char *hint = flag_of_alias(command, name);
+    const char *hint = flag_of_alias(command, name, strlen(name));
     hint = hint ? hint : cli_nearest(name, flag_name_at, command);
     int length = (int)(given - argument) + (int)strlen(name);
     if (hint) {
@@ -382,11 +382,12 @@ static burnish_status parse_long(const cli_command *command, const char *argumen
 static burnish_status parse_short(const cli_command *command, const char *argument, cursor *at,
                                   const cli_flag **found, const char **text, burnish_error *error) {
     const cli_flag *flag = find_letter(command, argument[1]);
-    if (!flag) {
-        const char letter[] = {'-', argument[1], 0}, *word = at->argv[at->next - 1];
-        const int is_word = argument == word || flag_of_alias(command, word + 1) ||
-                            cli_find_flag(command, word + 1, strlen(word + 1));
-        return fail_unknown(command, is_word ? word : letter, error); /* "-resize" */
+    const char letter[] = {'-', argument[1], 0}, *word = at->argv[at->next - 1];
+    const size_t length = strcspn(word + 1, "=");
+    const int is_word = length > 1 && (flag_of_alias(command, word + 1, length) ||
+                                       cli_find_flag(command, word + 1, length));
+    if (!flag || is_word) {
+        return fail_unknown(command, is_word || argument == word ? word : letter, error);
     }
     *found = flag;
     *text = NULL;

@@ -51,7 +51,7 @@ enum {
 enum { BURNISH_BALLOONS_MAX = 64, BURNISH_CALLOUTS_MAX = 1000 };
 
 /* An entry of a parts list. Parts share one if they have the same name, but for digits and signs at
- * its end, as many triangles, and the same area within a thousandth. */
+ * its end, as many triangles, and the same area within 1e-5 of it. */
 typedef struct burnish_callout {
     size_t part, count; /* the first of its parts in burnish_contents.parts; how many it has */
     int is_visible, has_balloon;
@@ -60,7 +60,7 @@ typedef struct burnish_callout {
 
 /* A parts list. An entry's number is its place from 1. */
 typedef struct burnish_callouts {
-    size_t count;
+    size_t count, left_out; /* parts that it has no place for */
     burnish_callout items[BURNISH_CALLOUTS_MAX];
 } burnish_callouts;
 

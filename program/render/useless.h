@@ -4,7 +4,7 @@
 
 #include "render/output/result.h"
 
-enum { RENDER_NEEDS_MAX = 32 };
+enum { RENDER_NEEDS_MAX = 40 };
 
 /* What flags need of other flags, and of the input. Without a mesh no need of the input is met. They
  * return the number of needs. Call the first one when the format is known. */

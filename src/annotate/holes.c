@@ -284,6 +284,7 @@ void burnish_annotate_holes(const burnish_annotation_view *view, burnish_annotat
     for (size_t i = 0; i < axes.circle_count && memory->status == BURNISH_STATUS_OK; ++i) {
         add_hole(&f, &axes.circles[i], &axes.items[axes.circles[i].axis]);
     }
+    list->left_out += axes.are_too_many != 0;
     if (f.count > 0 && memory->status == BURNISH_STATUS_OK) {
         add_outlines(&f, &edges);
         annotate_holes(&f);

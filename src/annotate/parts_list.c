@@ -6,7 +6,7 @@
 enum { NO_ENTRY = UINT16_MAX };
 
 /* Parts are equal if their areas differ by less, in parts of one. */
-#define AREA_TOLERANCE 1e-3
+#define AREA_TOLERANCE 1e-5
 
 /* The length of a name without digits and signs at its end, as in "wheel.001" and "Bolt (2)". */
 static size_t stem_length(const char *name) {
@@ -50,6 +50,7 @@ static void group_parts(const burnish_annotation_view *view, size_t count, const
             }
         }
         entries[i] = at < BURNISH_CALLOUTS_MAX ? (uint16_t)at : NO_ENTRY;
+        list->left_out += areas[i] > 0 && at == BURNISH_CALLOUTS_MAX;
         if (at < BURNISH_CALLOUTS_MAX) {
             list->count += at == list->count;
             list->items[at].part = list->items[at].count++ ? list->items[at].part : i;

@@ -158,6 +158,7 @@ static void find_axes(finder *f) {
     }
     if (axes->count > AXES_MAX || axes->circle_count > CIRCLES_MAX) {
         axes->count = axes->circle_count = 0;
+        axes->are_too_many = 1;
     }
     for (size_t i = 0; i < axes->count; ++i) {
         burnish_axis_line *axis = &axes->items[i];

@@ -23,6 +23,7 @@ typedef struct burnish_axes {
     size_t count, capacity;
     burnish_circle *circles;
     size_t circle_count, circle_capacity;
+    int are_too_many; /* 1: so there are none */
 } burnish_axes;
 
 /* Finds axes that two circles or more have in common. A circle is a closed loop of at least 12

@@ -223,6 +223,15 @@ mkdir unseen
 cd unseen || exit 1
 expect 8 'burnish: :sphere: the picture has one colour; check colours, lights and background; no file was written' render :sphere $unseen --fail-on-blank
 expect 8 'burnish: :sphere: 2 of 2 cells are blank; check colours, lights and background; no file was written' render :sphere $unseen --views=front,top --fail-on-blank
+# Where walls that are seen from behind are not drawn, edges of tiles are not seen either: the step of light from column 127 to 128.
+printf 'v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 0 0 3\nv 4 0 3\nv 4 4 3\nv 0 4 3\nf 1 2 3 4\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n' >room.obj
+gives 0 render room.obj --raytracing --cull-back-faces --size=192 --samples=1 -o room.npy
+check "no seam" python3 -c '
+import array
+d = array.array("f", open("room.npy", "rb").read()[-192 * 192 * 16:])
+step = sum(abs(d[(192 * y + 128) * 4 + 1] - d[(192 * y + 127) * 4 + 1]) for y in range(60, 130))
+assert step < 0.15, step'
+rm room.obj room.npy
 nothing_left "a picture of one colour"
 cd ..
 run render :sphere $unseen --json -o t.png

@@ -42,6 +42,12 @@ static void warn_about_callouts(render_result *result, const render_cell *cell, 
                                      used ? ", " : "", i + 1, parts[list->items[i].part].name);
         }
     }
+    if (list->left_out > 0) {
+        render_warn(&result->warnings, 1,
+                    "%.300s: --callouts: %zu more parts, which differ from these, are not listed; "
+                    "use --only",
+                    result->settings->input.name, list->left_out);
+    }
     if (count > 0) {
         render_warn(&result->warnings, 1,
                     "%.300s: --callouts: %zu of %zu parts are hidden or have no room for a number "

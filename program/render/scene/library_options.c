@@ -299,7 +299,7 @@ burnish_render_options render_make_options(const render_settings *settings) {
     options.ground = shading->ground > 0;
     options.shadow = shading->shadow;
     options.raytracing = shading->raytracing;
-    if (shading->raytracing && !shading->occlusion.given && options.occlusion == 0) {
+    if (shading->raytracing && !is_drawing && !shading->occlusion.given && options.occlusion == 0) {
         options.occlusion = BURNISH_OCCLUSION_AUTO;
     }
     if (shading->lights.given) {

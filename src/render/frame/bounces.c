@@ -158,6 +158,6 @@ void burnish_surface_cast_rays(const burnish_surface *surface, const burnish_ras
         }
     }
     burnish_ray_tile_add_margin(scratch->rays, surface->shading->ray_light, &surface->shading->rays,
-                                tile, surface->view->width, surface->view->height);
+                                tile, surface->view);
     burnish_ray_tile_cast(scratch->rays, surface->shading->ray_light, surface->shading->ops);
 }

@@ -126,11 +126,38 @@ static burnish_vec3 seen_at(const burnish_rays *rays, double x, double y, double
     return burnish_vec3_load(at);
 }
 
+/* Lets rays go on that met the back of a triangle. Returns whether there are any. */
+static int pass_backs(const burnish_ray_light *light, burnish_started_rays *rays, size_t count) {
+    int are_any = 0;
+    for (size_t i = 0; i < count; ++i) {
+        burnish_vec3 corner[3],
+            along = {rays->direction[0][i], rays->direction[1][i], rays->direction[2][i]};
+        burnish_vec3 normal = along;
+        if (rays->hits[i] > 0 &&
+            find_face(light, light->solid, light->tree->numbers[rays->place[i]], corner, &normal) &&
+            burnish_vec3_dot(burnish_vec3_cross(burnish_vec3_sub(corner[1], corner[0]),
+                                                burnish_vec3_sub(corner[2], corner[0])),
+                             along) > 0) {
+            for (int k = 0; k < 3; ++k) {
+                rays->origin[k][i] += rays->direction[k][i] * (rays->distance[i] + light->offset);
+            }
+            are_any = 1;
+        }
+    }
+    return are_any;
+}
+
 void burnish_ray_tile_add_margin(burnish_ray_tile *tile, const burnish_ray_light *light,
-                                 const burnish_rays *from, const burnish_tile *place, int width,
-                                 int height) {
-    enum { EDGE = BURNISH_RAY_EDGE, MARGIN = BURNISH_RAY_MARGIN, SIZE = BURNISH_TILE_SIZE };
+                                 const burnish_rays *from, const burnish_tile *place,
+                                 const burnish_raster_view *view) {
+    enum {
+        EDGE = BURNISH_RAY_EDGE,
+        MARGIN = BURNISH_RAY_MARGIN,
+        SIZE = BURNISH_TILE_SIZE,
+        LAYERS = 8
+    };
     const burnish_vec3 eye = burnish_vec3_loadf(light->eye);
+    const int width = view->width, height = view->height;
     burnish_started_rays *rays = &tile->rays;
     burnish_ray_batch batch = {{rays->origin[0], rays->origin[1], rays->origin[2]},
                                {rays->direction[0], rays->direction[1], rays->direction[2]},
@@ -156,7 +183,12 @@ void burnish_ray_tile_add_margin(burnish_ray_tile *tile, const burnish_ray_light
             continue;
         }
         memset(rays->reach + batch.count, 0, (BURNISH_OCCLUDED_MAX - batch.count) * sizeof(float));
-        light->ops->find_hits(light->tree, &batch, rays->hits, rays->distance, rays->place);
+        for (int layer = 0; layer < LAYERS; ++layer) {
+            light->ops->find_hits(light->tree, &batch, rays->hits, rays->distance, rays->place);
+            if (!view->cull_back_faces || !pass_backs(light, rays, batch.count)) {
+                break;
+            }
+        }
         for (size_t ray = 0; ray < batch.count; ++ray) {
             float p[3], n[3], face[3];
             const size_t number =

@@ -162,8 +162,8 @@ void burnish_ray_tile_add(burnish_ray_tile *tile, const burnish_ray_light *light
 
 /* Adds the pixels around a tile that count for its own: rays from the camera find them. */
 void burnish_ray_tile_add_margin(burnish_ray_tile *tile, const burnish_ray_light *light,
-                                 const burnish_rays *from, const burnish_tile *place, int width,
-                                 int height);
+                                 const burnish_rays *from, const burnish_tile *place,
+                                 const burnish_raster_view *view);
 
 /* Casts the rays of all pixels. */
 void burnish_ray_tile_cast(burnish_ray_tile *tile, const burnish_ray_light *light,
