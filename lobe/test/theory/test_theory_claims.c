@@ -114,62 +114,37 @@ static const struct {
     /* of max(0, 1 - a x)^2 - max(0, 1 - b x)^2 the largest is (b - a) / (b + a) */
     {"integer-zeta", "W_0.5 n=21", .1875 / 18.1875, 1e-8},
     {"integer-zeta", "W by n >> 1 n=101", .5 / 100.5, 1e-8}};
-static const struct {
-    const char *id;
-    burnish_theory_verdict verdict;
-} verdicts[] = {{"peak", BURNISH_THEORY_HOLDS},
-                {"positive", BURNISH_THEORY_HOLDS_IN_PART},
-                {"taylor-terms", BURNISH_THEORY_HOLDS},
-                {"zero", BURNISH_THEORY_HOLDS},
-                {"monotone", BURNISH_THEORY_HOLDS},
-                {"core-w", BURNISH_THEORY_HOLDS_IN_PART},
-                {"core-schlick", BURNISH_THEORY_HOLDS},
-                {"core-better", BURNISH_THEORY_HOLDS},
-                {"order", BURNISH_THEORY_HOLDS},
-                {"blooming-order", BURNISH_THEORY_HOLDS},
-                {"blooming-schlick", BURNISH_THEORY_HOLDS_IN_PART},
-                {"radius", BURNISH_THEORY_HOLDS},
-                {"radius-classic", BURNISH_THEORY_HOLDS_IN_PART},
-                {"integrals", BURNISH_THEORY_HOLDS},
-                {"w1-absolute", BURNISH_THEORY_HOLDS_IN_PART},
-                {"w1-even", BURNISH_THEORY_HOLDS_IN_PART},
-                {"w1-extreme", BURNISH_THEORY_HOLDS},
-                {"level-second-root", BURNISH_THEORY_HOLDS},
-                {"level-best", BURNISH_THEORY_HOLDS_IN_PART},
-                {"w05-slope", BURNISH_THEORY_HOLDS_IN_PART},
-                {"w05-zero", BURNISH_THEORY_HOLDS},
-                {"w05-large", BURNISH_THEORY_DOES_NOT_HOLD},
-                {"w05-small", BURNISH_THEORY_HOLDS_IN_PART},
-                {"schlick-absolute", BURNISH_THEORY_HOLDS},
-                {"schlick-ratio", BURNISH_THEORY_HOLDS_IN_PART},
-                {"w05-extreme", BURNISH_THEORY_HOLDS},
-                {"w05-radius", BURNISH_THEORY_HOLDS},
-                {"w05-radius-larger", BURNISH_THEORY_HOLDS_IN_PART},
-                {"hardware-others", BURNISH_THEORY_HOLDS_IN_PART},
-                {"relative-error", BURNISH_THEORY_HOLDS_IN_PART},
-                {"schlick-beyond", BURNISH_THEORY_HOLDS},
-                {"schlick-fades", BURNISH_THEORY_HOLDS},
-                {"chord", BURNISH_THEORY_HOLDS_IN_PART},
-                {"lyon-taylor", BURNISH_THEORY_DOES_NOT_HOLD},
-                {"lyon-accuracy", BURNISH_THEORY_HOLDS_IN_PART},
-                {"lyon-series", BURNISH_THEORY_HOLDS_IN_PART},
-                {"lyon-lengths", BURNISH_THEORY_HOLDS_IN_PART},
-                {"speed-w", BURNISH_THEORY_BENCHMARK},
-                {"speed-w05", BURNISH_THEORY_BENCHMARK},
-                {"operations-w", BURNISH_THEORY_COUNTED},
-                {"operations-w05", BURNISH_THEORY_COUNTED},
-                {"operations-schlick", BURNISH_THEORY_COUNTED},
-                {"integer-zeta", BURNISH_THEORY_HOLDS_IN_PART}};
+/* The claims of each verdict. */
+enum { VERDICT_MAX = 18 };
+static const char *const verdicts[][VERDICT_MAX] = {
+    [BURNISH_THEORY_HOLDS] = {"peak", "taylor-terms", "zero", "monotone", "core-schlick",
+                              "core-better", "order", "blooming-order", "radius", "integrals",
+                              "w1-extreme", "level-second-root", "w05-zero", "schlick-absolute",
+                              "w05-extreme", "w05-radius", "schlick-beyond", "schlick-fades"},
+    [BURNISH_THEORY_HOLDS_IN_PART] = {"positive", "core-w", "blooming-schlick", "radius-classic",
+                                      "w1-absolute", "w1-even", "level-best", "w05-slope",
+                                      "w05-small", "schlick-ratio", "w05-radius-larger",
+                                      "hardware-others", "relative-error", "chord", "lyon-accuracy",
+                                      "lyon-series", "lyon-lengths", "integer-zeta"},
+    [BURNISH_THEORY_DOES_NOT_HOLD] = {"w05-large", "lyon-taylor"},
+    [BURNISH_THEORY_BENCHMARK] = {"speed-w", "speed-w05"},
+    [BURNISH_THEORY_COUNTED] = {"operations-w", "operations-w05", "operations-schlick"}};
+
+static int has_verdict(const burnish_theory_claim *claim) {
+    int found = 0;
+    for (int i = 0; i < VERDICT_MAX && verdicts[claim->verdict][i]; ++i) {
+        found += strcmp(verdicts[claim->verdict][i], claim->id) == 0;
+    }
+    return found;
+}
 
 static void check_claims(void) {
     size_t count = burnish_theory_claim_count(), compared = 0;
-    CHECK1(count == sizeof verdicts / sizeof verdicts[0]);
+    CHECK1(count == 43);
     for (size_t i = 0; i < count; ++i) {
         burnish_theory_claim claim;
         CHECK1(burnish_theory_claim_compute(i, &claim) == BURNISH_STATUS_OK);
-        CHECK_TEXT(claim.id, verdicts[i].id);
-        CHECK(claim.verdict == verdicts[i].verdict, "%s: %s", claim.id,
-              burnish_theory_verdict_text(claim.verdict));
+        CHECK(has_verdict(&claim), "%s: %s", claim.id, burnish_theory_verdict_text(claim.verdict));
         CHECK_TEXT(claim.source, strcmp(claim.id, "lyon-lengths") == 0 ? "Lyon 1993" : "the paper");
         CHECK1((claim.verdict != BURNISH_THEORY_HOLDS_IN_PART) || claim.note[0]);
         CHECK1(claim.command[0] && claim.claim[0] &&
