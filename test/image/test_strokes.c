@@ -7,6 +7,7 @@
 #include "counting_context.h"
 #include "image/text/glyph_outline.h"
 #include "image/text/strokes.h"
+#include "pictures.h"
 
 enum { WIDTH = 61, HEIGHT = 47 };
 
@@ -14,11 +15,6 @@ static uint64_t state;
 
 static float random_float(float low, float high) {
     return test_uniform_float(&state, low, high);
-}
-
-static burnish_pixels floats_of(float *light, int width, int height) {
-    return (burnish_pixels){width, height, BURNISH_PIXELS_RGBA_FLOAT, (size_t)width * 16,
-                            (uint8_t *)light};
 }
 
 static burnish_status draw(const burnish_pixels *pixels, const burnish_stroke *strokes,

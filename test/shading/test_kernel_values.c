@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "core/vec3.h"
 #include "kernels_input.h"
 
 /* What simd/vector_math.h states. */
@@ -155,34 +156,17 @@ static void check_normalize(void) {
     CHECK(out[0][2] == 0 && out[1][2] == 0 && out[2][2] == 0, "no direction stays zero");
 }
 
-typedef struct vec {
-    double x, y, z;
-} vec;
-
-static vec scaled(vec a, double s) {
-    return (vec){a.x * s, a.y * s, a.z * s};
-}
-static double dot(vec a, vec b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-static vec sum(vec a, vec b) {
-    return (vec){a.x + b.x, a.y + b.y, a.z + b.z};
-}
-static vec unit(vec a) {
-    return scaled(a, 1 / sqrt(dot(a, a)));
-}
-static vec load(const float v[3]) {
-    return (vec){(double)v[0], (double)v[1], (double)v[2]};
-}
+typedef burnish_vec3 vec;
 
 /* What arrives of a light at a vector l to it: KHR_lights_punctual's formulas. */
 static double arriving(const burnish_light *light, vec l, int *stable) {
-    const double d = sqrt(dot(l, l)), *a = light->axis;
+    const double d = sqrt(burnish_vec3_dot(l, l)), *a = light->axis;
     double share = light->distance > 0 ? light->distance * light->distance / (d * d) : 1;
     share *= light->range > 0 ? fmax(0, 1 - pow(d / light->range, 4)) : 1;
     if (a[0] != 0 || a[1] != 0 || a[2] != 0) {
         const double width = fmax(0.001, light->cone[0] - light->cone[1]);
-        const double t = (-dot((vec){a[0], a[1], a[2]}, l) / d - light->cone[1]) / width;
+        const double t =
+            (-burnish_vec3_dot((vec){a[0], a[1], a[2]}, l) / d - light->cone[1]) / width;
         share *= t > 1 ? 1 : t > 0 ? t * t : 0;
         *stable &= width > 0.1 || t < 0 || t > 1; /* elsewhere t is off by 1e-7 / 0.001 */
     }
@@ -194,26 +178,28 @@ static double arriving(const burnish_light *light, vec l, int *stable) {
  * half vector or a direction is a difference of nearly equal vectors. */
 static int accurate_color(const burnish_kernels_lighting *lighting, const lobe_case *lobe,
                           vec normal, vec position, const double diffuse[3], double color[3]) {
-    vec n = unit(normal), v = load(lighting->viewer);
+    vec n = burnish_vec3_normalize(normal), v = burnish_vec3_loadf(lighting->viewer);
     double specular[3] = {0, 0, 0};
-    v = lighting->local_viewer ? sum(v, scaled(position, -1)) : v;
-    int stable = dot(v, v) > 0.25;
-    v = unit(v);
+    v = lighting->local_viewer ? burnish_vec3_add(v, burnish_vec3_scale(position, -1)) : v;
+    int stable = burnish_vec3_dot(v, v) > 0.25;
+    v = burnish_vec3_normalize(v);
     for (int k = 0; k < 3; ++k) {
         color[k] = (double)lighting->ambient_light[k] * (double)lighting->material.ambient[k];
     }
     for (int i = 0; i < lighting->light_count; ++i) {
         const burnish_light *light = &lighting->lights[i];
         vec l = {light->vector[0], light->vector[1], light->vector[2]};
-        l = light->kind == BURNISH_LIGHT_POINT ? sum(l, scaled(position, -1)) : l;
-        stable &= dot(l, l) > 0.25;
+        l = light->kind == BURNISH_LIGHT_POINT
+                ? burnish_vec3_add(l, burnish_vec3_scale(position, -1))
+                : l;
+        stable &= burnish_vec3_dot(l, l) > 0.25;
         const double share = arriving(light, l, &stable);
-        l = unit(l);
-        vec half = sum(l, v);
-        double lit = dot(n, l), c = dot(n, unit(half));
-        stable &= fabs(lit) > 1e-6 && dot(half, half) > 0.25;
+        l = burnish_vec3_normalize(l);
+        vec half = burnish_vec3_add(l, v);
+        double lit = burnish_vec3_dot(n, l), c = burnish_vec3_dot(n, burnish_vec3_normalize(half));
+        stable &= fabs(lit) > 1e-6 && burnish_vec3_dot(half, half) > 0.25;
         if (lighting->specular_model == BURNISH_SPECULAR_PHONG) {
-            c = 2 * lit * dot(n, v) - dot(l, v);
+            c = 2 * lit * burnish_vec3_dot(n, v) - burnish_vec3_dot(l, v);
         }
         double value = lit > 0 ? accurate_lobe(lobe, c) : 0;
         for (int k = 0; k < 3; ++k) {
@@ -267,7 +253,7 @@ static void check_equation(void) {
             for (int k = 0; k < 3; ++k) {
                 d[k] = (double)arrays.diffuse[k][i];
             }
-            if (dot(normal, normal) < 0.25 ||
+            if (burnish_vec3_dot(normal, normal) < 0.25 ||
                 !accurate_color(&lighting, &lobe, normal, position, d, color)) {
                 continue;
             }
@@ -302,11 +288,13 @@ static void check_lyon(void) {
     }
     burnish_kernels_shader_create(&lighting, NULL, &shader, NULL);
     const double *light = lighting.lights[0].vector;
-    vec h = unit(sum((vec){light[0], light[1], light[2]}, load(lighting.viewer)));
+    vec h = burnish_vec3_normalize(
+        burnish_vec3_add((vec){light[0], light[1], light[2]}, burnish_vec3_loadf(lighting.viewer)));
     for (int i = 0; i < 2000; ++i) {
-        vec n = unit((vec){h.x + (double)test_uniform_float(&state, -0.3f, 0.3f),
-                           h.y + (double)test_uniform_float(&state, -0.3f, 0.3f), h.z});
-        n = scaled(n, (double)test_uniform_float(&state, 0.9f, 1.1f));
+        vec n = burnish_vec3_normalize((vec){h.x + (double)test_uniform_float(&state, -0.3f, 0.3f),
+                                             h.y + (double)test_uniform_float(&state, -0.3f, 0.3f),
+                                             h.z});
+        n = burnish_vec3_scale(n, (double)test_uniform_float(&state, 0.9f, 1.1f));
         float normal[3] = {(float)n.x, (float)n.y, (float)n.z}, color[3];
         float half[3] = {(float)h.x, (float)h.y, (float)h.z};
         float *const rgb[3] = {&color[0], &color[1], &color[2]};

@@ -7,36 +7,17 @@
 
 #include "burnish/kernels.h"
 #include "burnish/theory.h"
-#include "kernels_input.h"
+#include "core/vec3.h"
+#include "light_at.h"
 #define BURNISH_VECTOR_SCALAR
 #include "simd/vector_math.h"
 
 /* ---- Reference ---- */
 
-typedef struct vec {
-    double x[3];
-} vec;
-
-static double dot(vec a, vec b) {
-    return a.x[0] * b.x[0] + a.x[1] * b.x[1] + a.x[2] * b.x[2];
-}
-
-static vec cross(vec a, vec b) {
-    return (vec){{a.x[1] * b.x[2] - a.x[2] * b.x[1], a.x[2] * b.x[0] - a.x[0] * b.x[2],
-                  a.x[0] * b.x[1] - a.x[1] * b.x[0]}};
-}
+typedef burnish_vec3 vec;
 
 static vec sum(vec a, double factor, vec b) {
-    return (vec){{a.x[0] + factor * b.x[0], a.x[1] + factor * b.x[1], a.x[2] + factor * b.x[2]}};
-}
-
-static vec unit(vec a) {
-    const double length = sqrt(dot(a, a));
-    return (vec){{a.x[0] / length, a.x[1] / length, a.x[2] / length}};
-}
-
-static vec of_floats(const float *x) {
-    return (vec){{(double)x[0], (double)x[1], (double)x[2]}};
+    return burnish_vec3_add(a, burnish_vec3_scale(b, factor));
 }
 
 /* The polynomial in u of a lobe: a member of the family, or a composite where the order is 0. */
@@ -64,31 +45,28 @@ static burnish_theory_powers powers_of(const burnish_kernels_lobe *lobe) {
     return made;
 }
 
-/* A point as the kernels get it. */
-typedef struct place {
-    float normal[3], position[3], w, axis[3];
-} place;
-
 /* diffuse, and specular of lobe 0: shares of the hemisphere's and of the whole lobe's light. */
 static void reference(const burnish_kernels_polygon *polygon, const place *at, double light[2]) {
     double corners[BURNISH_POLYGON_VERTEX_MAX][3], whole = 0;
     const int count = polygon->vertex_count;
-    const vec normal = of_floats(at->normal), axis = of_floats(at->axis);
+    double normal[3], axis[3];
     const burnish_theory_powers lobe = powers_of(&polygon->lobes[0]);
     for (int v = 0; v < count; ++v) {
-        vec corner = of_floats(polygon->vertices[v]);
+        vec corner = burnish_vec3_loadf(polygon->vertices[v]);
         if (!polygon->is_distant) {
-            corner = sum(corner, -1 / (double)at->w, of_floats(at->position));
+            corner = sum(corner, -1 / (double)at->w, burnish_vec3_loadf(at->position));
         }
-        memcpy(corners[v], corner.x, sizeof corners[v]);
+        burnish_vec3_store(corner, corners[v]);
     }
+    burnish_vec3_store(burnish_vec3_loadf(at->normal), normal);
+    burnish_vec3_store(burnish_vec3_loadf(at->axis), axis);
     const double(*const of)[3] = (const double(*)[3])corners;
     for (int i = 0; i <= lobe.degree; ++i) {
         whole += lobe.coefficients[i] * 2 * M_PI / (lobe.zeta * (i + 1));
     }
     /* negative if the light turns its back to the point */
-    light[0] = burnish_theory_polygon(1, 1, normal.x, NULL, of, count, NULL) / M_PI;
-    light[1] = burnish_theory_polygon_polynomial(&lobe, axis.x, normal.x, of, count, NULL) / whole;
+    light[0] = burnish_theory_polygon(1, 1, normal, NULL, of, count, NULL) / M_PI;
+    light[1] = burnish_theory_polygon_polynomial(&lobe, axis, normal, of, count, NULL) / whole;
     for (int i = 0; i < 2; ++i) {
         light[i] = polygon->is_two_sided ? fabs(light[i]) : fmax(0, light[i]);
     }
@@ -100,25 +78,25 @@ static vec random_unit_vec(uint64_t *state) {
     vec a;
     double squared;
     do {
-        for (int k = 0; k < 3; ++k) {
-            a.x[k] = (double)test_uniform_float(state, -1, 1);
-        }
-        squared = dot(a, a);
+        a.x = (double)test_uniform_float(state, -1, 1);
+        a.y = (double)test_uniform_float(state, -1, 1);
+        a.z = (double)test_uniform_float(state, -1, 1);
+        squared = burnish_vec3_dot(a, a);
     } while (squared > 1 || squared < 0.01);
-    return unit(a);
+    return burnish_vec3_normalize(a);
 }
 
 static void to_floats(vec a, float *x) {
-    for (int k = 0; k < 3; ++k) {
-        x[k] = (float)a.x[k];
-    }
+    x[0] = (float)a.x;
+    x[1] = (float)a.y;
+    x[2] = (float)a.z;
 }
 
 /* A polygon inscribed in an ellipse around a point at distance 1 or so. */
 static burnish_kernels_polygon random_polygon(int order, float zeta, uint64_t *state) {
     burnish_kernels_polygon polygon = burnish_kernels_polygon_default();
     const vec center = random_unit_vec(state), u = random_unit_vec(state),
-              v = unit(cross(u, random_unit_vec(state)));
+              v = burnish_vec3_normalize(burnish_vec3_cross(u, random_unit_vec(state)));
     const double size = pow(2, (double)test_uniform_float(state, -5, 2)),
                  ratio = (double)test_uniform_float(state, 0.1f, 1),
                  start = (double)test_uniform_float(state, 0, 6);
@@ -137,39 +115,22 @@ static burnish_kernels_polygon random_polygon(int order, float zeta, uint64_t *s
 /* Half of the axes point near the light: narrow lobes would miss it otherwise. */
 static place random_place(const burnish_kernels_polygon *polygon, uint64_t *state) {
     place at = {.w = test_uniform_float(state, 0.5f, 2)};
-    vec position = sum((vec){{0, 0, 0}}, (double)(0.8f * at.w), random_unit_vec(state));
+    vec position = sum((vec){0, 0, 0}, (double)(0.8f * at.w), random_unit_vec(state));
     to_floats(position, at.position);
     vec axis = random_unit_vec(state), normal = random_unit_vec(state);
     if (test_random32(state) % 2) {
-        axis = (vec){{0, 0, 0}};
+        axis = (vec){0, 0, 0};
         for (int v = 0; v < polygon->vertex_count; ++v) {
             axis = sum(axis, pow((double)test_uniform_float(state, 0, 1), 2),
-                       of_floats(polygon->vertices[v]));
+                       burnish_vec3_loadf(polygon->vertices[v]));
         }
     }
-    to_floats(unit(axis), at.axis);
-    if (dot(normal, axis) < 0) {
-        normal = sum((vec){{0, 0, 0}}, -1, normal);
+    to_floats(burnish_vec3_normalize(axis), at.axis);
+    if (burnish_vec3_dot(normal, axis) < 0) {
+        normal = sum((vec){0, 0, 0}, -1, normal);
     }
     to_floats(normal, at.normal);
     return at;
-}
-
-/* stretch: may be NULL */
-static burnish_status light_at(const burnish_kernels *kernels,
-                               const burnish_kernels_polygon *polygon, const place *at,
-                               const float *stretch, float light[2], burnish_error *error) {
-    burnish_kernels_points points = {.w = &at->w};
-    burnish_kernels_axes axes = {.stretch = {NULL}};
-    float *const out[2] = {&light[0], &light[1]};
-    for (int k = 0; k < 3; ++k) {
-        points.normal[k] = &at->normal[k];
-        points.position[k] = &at->position[k];
-        axes.axis[k] = &at->axis[k];
-        axes.stretch[k] = stretch ? &stretch[k] : NULL;
-    }
-    light[0] = light[1] = NAN;
-    return burnish_kernels_polygon_light(kernels, polygon, &points, &axes, 1, out, error);
 }
 
 static void kernel(const burnish_kernels *kernels, const burnish_kernels_polygon *polygon,
@@ -249,20 +210,21 @@ static void test_corners(void) {
             random_polygon(1 << trial % 4, trial & 4 ? 2.0f : 200.0f, &state);
         const int is_cut = trial & 1, next = 1 + trial % (polygon.vertex_count - 1);
         place at = random_place(&polygon, &state);
-        vec corner = of_floats(polygon.vertices[0]);
+        vec corner = burnish_vec3_loadf(polygon.vertices[0]);
         if (is_cut) {
             corner = sum(corner, (double)test_uniform_float(&state, 0, 1),
-                         sum(of_floats(polygon.vertices[next]), -1, corner));
+                         sum(burnish_vec3_loadf(polygon.vertices[next]), -1, corner));
         }
         if (!polygon.is_distant) {
-            corner = sum(corner, -1 / (double)at.w, of_floats(at.position));
+            corner = sum(corner, -1 / (double)at.w, burnish_vec3_loadf(at.position));
         }
-        corner = unit(corner);
+        corner = burnish_vec3_normalize(corner);
         const vec normal =
-            is_cut ? unit(cross(corner, random_unit_vec(&state))) : of_floats(at.normal);
+            is_cut ? burnish_vec3_normalize(burnish_vec3_cross(corner, random_unit_vec(&state)))
+                   : burnish_vec3_loadf(at.normal);
         const double distance = pow(10, (double)test_uniform_float(&state, -9, -1));
         to_floats(normal, at.normal);
-        to_floats(unit(sum(corner, distance, random_unit_vec(&state))), at.axis);
+        to_floats(burnish_vec3_normalize(sum(corner, distance, random_unit_vec(&state))), at.axis);
         float light[2];
         double expected[2];
         kernel(scalar(), &polygon, &at, light);
@@ -363,14 +325,16 @@ static void test_stretch(void) {
         burnish_kernels_polygon polygon = random_polygon(4, 3, &state);
         polygon.is_distant = 1;
         const place at = random_place(&polygon, &state);
-        const vec normal = of_floats(at.normal),
-                  e = sum((vec){{0, 0, 0}}, 2, unit(cross(normal, random_unit_vec(&state))));
+        const vec normal = burnish_vec3_loadf(at.normal),
+                  e = sum(
+                      (vec){0, 0, 0}, 2,
+                      burnish_vec3_normalize(burnish_vec3_cross(normal, random_unit_vec(&state))));
         burnish_kernels_polygon stretched = polygon;
         float stretch[3], light[2], plain[2], expected[2];
         to_floats(e, stretch);
         for (int v = 0; v < polygon.vertex_count; ++v) {
-            const vec p = of_floats(polygon.vertices[v]);
-            to_floats(sum(p, dot(e, p), e), stretched.vertices[v]);
+            const vec p = burnish_vec3_loadf(polygon.vertices[v]);
+            to_floats(sum(p, burnish_vec3_dot(e, p), e), stretched.vertices[v]);
         }
         if (light_at(NULL, &stretched, &at, NULL, expected, NULL) != BURNISH_STATUS_OK) {
             continue; /* seen from its edge */
@@ -394,9 +358,10 @@ typedef struct input {
 static void make_input(input *made, int tame, uint64_t *state) {
     make_points(&made->points, BLOCK, tame, state);
     for (int i = 0; i < BLOCK; ++i) {
-        const vec axis = random_unit_vec(state);
+        float axis[3];
+        to_floats(random_unit_vec(state), axis);
         for (int k = 0; k < 3; ++k) {
-            made->axis[k][i] = (float)axis.x[k];
+            made->axis[k][i] = axis[k];
             made->stretch[k][i] = test_uniform_float(state, -1, 1);
         }
         if (!tame && test_random32(state) % 16 == 0) {

@@ -6,15 +6,10 @@
 
 #include "burnish/kernels.h"
 #include "burnish/theory.h"
-#include "kernels_input.h"
+#include "light_at.h"
 #include "vec.h"
 
 typedef double vec[3];
-
-/* A point as the kernels get it. */
-typedef struct place {
-    float normal[3], position[3], w, axis[3];
-} place;
 
 /* diffuse, and specular of lobe 0: shares of the hemisphere's and of the whole lobe's light. */
 static void reference(const burnish_kernels_polygon *light, const place *at, double out[2]) {
@@ -89,20 +84,6 @@ static place draw_place(const burnish_kernels_polygon *light, uint64_t *state) {
     return at;
 }
 
-static burnish_status light_at(const burnish_kernels *kernels, const burnish_kernels_polygon *light,
-                               const place *at, const float *stretch, float out[2]) {
-    burnish_kernels_points points = {.w = &at->w};
-    burnish_kernels_axes axes = {.stretch = {NULL}};
-    for (int k = 0; k < 3; ++k) {
-        points.normal[k] = &at->normal[k];
-        points.position[k] = &at->position[k];
-        axes.axis[k] = &at->axis[k];
-        axes.stretch[k] = stretch ? &stretch[k] : NULL;
-    }
-    return burnish_kernels_polygon_light(kernels, light, &points, &axes, 1,
-                                         (float *const[2]){out, out + 1}, NULL);
-}
-
 /* ---- Values ---- */
 
 /* Composites that are members of the family have its light. */
@@ -114,11 +95,11 @@ static void test_composites(int trials) {
         burnish_kernels_polygon light = draw_light(trial % 2, order, 1, &state);
         const place at = draw_place(&light, &state);
         float expected[2], out[2];
-        CHECK1(light_at(scalar(), &light, &at, NULL, expected) == BURNISH_STATUS_OK);
+        CHECK1(light_at(scalar(), &light, &at, NULL, expected, NULL) == BURNISH_STATUS_OK);
         light.lobes[0].order = 0;
         CHECK1(!burnish_composite_create(&light.lobes[0].composite, BURNISH_COMPOSITE_MINIMAX, 6,
                                          (float)order));
-        CHECK1(light_at(scalar(), &light, &at, NULL, out) == BURNISH_STATUS_OK);
+        CHECK1(light_at(scalar(), &light, &at, NULL, out, NULL) == BURNISH_STATUS_OK);
         worst = fmax(worst, fabs((double)out[1] - (double)expected[1]));
     }
     CHECK(worst < 2e-6, "off by %.3g", worst);
@@ -135,7 +116,7 @@ static void test_spheres(int trials) {
                 const place at = draw_place(&light, &state);
                 float got[2];
                 double want[2];
-                CHECK1(light_at(scalar(), &light, &at, NULL, got) == BURNISH_STATUS_OK);
+                CHECK1(light_at(scalar(), &light, &at, NULL, got, NULL) == BURNISH_STATUS_OK);
                 reference(&light, &at, want);
                 for (int i = 0; i < 2; ++i) {
                     worst[i] = fmax(worst[i], fabs((double)got[i] - want[i]));
@@ -163,7 +144,7 @@ static void test_small(void) {
         const double squared = radius * radius, want = squared * pow(0.8, 4) * 5 * 5 / 2;
         float got[2];
         light.radius = (float)radius;
-        CHECK1(light_at(NULL, &light, &at, NULL, got) == BURNISH_STATUS_OK);
+        CHECK1(light_at(NULL, &light, &at, NULL, got, NULL) == BURNISH_STATUS_OK);
         CHECK(fabs((double)got[0] / squared - 1) < 1e-6 &&
                   fabs((double)got[1] / want - 1) < 20 * squared + 2e-7 / radius,
               "radius %g: %g, %g of %g, %g", radius, (double)got[0], (double)got[1], squared, want);
@@ -213,8 +194,8 @@ static void test_tubes(int trials) {
             const float stretch[3] = {0.4f, -1, 0.7f};
             const float *e = trial % 3 == 0 ? stretch : NULL;
             if (strip_of(&light, &at, &strip)) {
-                CHECK1(light_at(NULL, &light, &at, e, got) == BURNISH_STATUS_OK);
-                if (light_at(NULL, &strip, &at, e, want) == BURNISH_STATUS_OK) {
+                CHECK1(light_at(NULL, &light, &at, e, got, NULL) == BURNISH_STATUS_OK);
+                if (light_at(NULL, &strip, &at, e, want, NULL) == BURNISH_STATUS_OK) {
                     worst[0] = fmax(worst[0], fabs((double)got[0] - (double)want[0]));
                     worst[1] = fmax(worst[1], fabs((double)got[1] - (double)want[1]));
                 }
@@ -251,7 +232,7 @@ static void test_cylinder(void) {
     }
     sum *= 15 * 2 * M_PI * radius / (STEPS * STEPS) / M_PI;
     float got[2];
-    CHECK1(light_at(NULL, &light, &at, NULL, got) == BURNISH_STATUS_OK);
+    CHECK1(light_at(NULL, &light, &at, NULL, got, NULL) == BURNISH_STATUS_OK);
     CHECK(fabs((double)got[0] - sum) < 1e-3, "%g, not %g", (double)got[0], sum);
 }
 
@@ -324,12 +305,13 @@ static void test_arguments(void) {
     float out[2];
     good.vertex_count = 1;
     good.radius = 0.5f;
-    CHECK1(light_at(NULL, &good, &at, NULL, out) == BURNISH_STATUS_OK);
+    CHECK1(light_at(NULL, &good, &at, NULL, out, NULL) == BURNISH_STATUS_OK);
 #define REFUSED(change)                                                                            \
     do {                                                                                           \
         burnish_kernels_polygon bad = good;                                                        \
         change;                                                                                    \
-        CHECK(light_at(NULL, &bad, &at, NULL, out) == BURNISH_STATUS_ARGUMENT, "%s", #change);     \
+        CHECK(light_at(NULL, &bad, &at, NULL, out, NULL) == BURNISH_STATUS_ARGUMENT, "%s",         \
+              #change);                                                                            \
     } while (0)
     REFUSED(bad.radius = 0);
     REFUSED(bad.radius = NAN);

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "burnish/mesh.h"
+#include "core/vec3.h"
 #include "mesh_arrays.h"
 #include "sheet.h"
 #include "support.h"
@@ -11,31 +12,13 @@
 
 enum { CORNERS_MAX = 65536 };
 
-typedef struct point {
-    double x, y, z;
-} point;
+typedef burnish_vec3 point;
 
 /* A shape: its corners, and per corner the normal that it should get. */
 static float positions[3 * CORNERS_MAX];
 static point expected[CORNERS_MAX];
 static uint32_t indices[CORNERS_MAX];
 static size_t corner_count;
-
-static point subtract(point a, point b) {
-    return (point){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-static point scaled(point a, double s) {
-    return (point){a.x * s, a.y * s, a.z * s};
-}
-static point cross(point a, point b) {
-    return (point){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-static double dot(point a, point b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-static point unit(point a) {
-    return scaled(a, 1 / sqrt(dot(a, a)));
-}
 
 static void add_corner(point p, point normal) {
     if (!CHECK1(corner_count < CORNERS_MAX)) {
@@ -51,7 +34,8 @@ static void add_corner(point p, point normal) {
 
 /* Triangles around the first point; normals NULL: flat. */
 static void add_polygon(const point *points, const point *normals, int count) {
-    const point flat = unit(cross(subtract(points[1], points[0]), subtract(points[2], points[0])));
+    const point flat = burnish_vec3_normalize(burnish_vec3_cross(
+        burnish_vec3_sub(points[1], points[0]), burnish_vec3_sub(points[2], points[0])));
     for (int i = 1; i + 1 < count; ++i) {
         const int fan[3] = {0, i, i + 1};
         for (int k = 0; k < 3; ++k) {
@@ -81,7 +65,8 @@ static double wrong_share(double tolerance) {
     CHECK(3 * view->triangle_count == corner_count, "%zu triangles", view->triangle_count);
     for (size_t i = 0; i < corner_count && 3 * view->triangle_count == corner_count; ++i) {
         const float *n = view->normals + 3 * (size_t)view->indices[i];
-        wrong += dot((point){n[0], n[1], n[2]}, expected[i]) < cos(tolerance * PI / 180);
+        wrong +=
+            burnish_vec3_dot((point){n[0], n[1], n[2]}, expected[i]) < cos(tolerance * PI / 180);
     }
     return (double)wrong / (double)corner_count;
 }
@@ -149,9 +134,10 @@ static point corner_of(const int signs[3], int axis, double half, double chamfer
 /* A cube with all 12 edges chamfered at 45 degrees, and triangles at its corners. */
 static void add_outward(const point *points, int count) {
     point turned[4];
-    const point flat = cross(subtract(points[1], points[0]), subtract(points[2], points[0]));
+    const point flat = burnish_vec3_cross(burnish_vec3_sub(points[1], points[0]),
+                                          burnish_vec3_sub(points[2], points[0]));
     for (int i = 0; i < count; ++i) {
-        turned[i] = points[dot(flat, points[0]) < 0 ? count - 1 - i : i];
+        turned[i] = points[burnish_vec3_dot(flat, points[0]) < 0 ? count - 1 - i : i];
     }
     add_polygon(turned, NULL, count);
 }
@@ -198,7 +184,7 @@ static void make_hexagon_hole(int n, double x) {
     for (int i = 0; i < 6; ++i) {
         const double a = PI / 3 * i, b = PI / 3 * (i + 1);
         const point inner[2] = {{cos(a), sin(a), 0}, {cos(b), sin(b), 0}};
-        const point outer[2] = {scaled(inner[0], 2), scaled(inner[1], 2)};
+        const point outer[2] = {burnish_vec3_scale(inner[0], 2), burnish_vec3_scale(inner[1], 2)};
         const point up = {0, 0, 1};
         const point inner_top[2] = {{cos(a), sin(a), up.z}, {cos(b), sin(b), up.z}};
         const point outer_top[2] = {{outer[0].x, outer[0].y, 1}, {outer[1].x, outer[1].y, 1}};
@@ -251,7 +237,9 @@ static point on_sphere(double longitude, double latitude) {
 }
 
 static void add_smooth_triangle(point a, point b, point c) {
-    const point points[3] = {a, b, c}, normals[3] = {unit(a), unit(b), unit(c)};
+    const point points[3] = {a, b, c},
+                normals[3] = {burnish_vec3_normalize(a), burnish_vec3_normalize(b),
+                              burnish_vec3_normalize(c)};
     add_polygon(points, normals, 3);
 }
 
@@ -278,7 +266,7 @@ static void make_sphere(int rows, double x) {
 }
 
 static point middle(point a, point b) {
-    return unit((point){a.x + b.x, a.y + b.y, a.z + b.z});
+    return burnish_vec3_normalize((point){a.x + b.x, a.y + b.y, a.z + b.z});
 }
 
 static void split_triangle(point a, point b, point c, int level) {
@@ -357,7 +345,7 @@ static void make_rod(int sides, double x) {
                                    on_rod(i, ring + 1)};
             point normals[4];
             for (int k = 0; k < 4; ++k) {
-                normals[k] = unit((point){quad[k].x, quad[k].y, ring * 0.9});
+                normals[k] = burnish_vec3_normalize((point){quad[k].x, quad[k].y, ring * 0.9});
             }
             add_polygon(quad, normals, 4);
         }
@@ -400,8 +388,9 @@ static void make_cone(int sides, double x) {
         const double a = 2 * PI * i / sides, b = 2 * PI * ((i + 1) % sides) / sides;
         const point p = {cos(a), sin(a), 0}, q = {cos(b), sin(b), 0};
         const point points[3] = {p, q, tip};
-        const point normals[3] = {
-            unit((point){2 * p.x, 2 * p.y, 1}), unit((point){2 * q.x, 2 * q.y, 1}), {0, 0, 1}};
+        const point normals[3] = {burnish_vec3_normalize((point){2 * p.x, 2 * p.y, 1}),
+                                  burnish_vec3_normalize((point){2 * q.x, 2 * q.y, 1}),
+                                  {0, 0, 1}};
         add_polygon(points, normals, 3);
         add_polygon((const point[]){q, p, {0, 0, 0}}, NULL, 3);
     }
@@ -417,8 +406,8 @@ static void make_chamfered_rim(int sides, double chamfer) {
             const int ring = k / 2, is_top = ring == 2;
             const double angle = 2 * PI * ((i + k % 2) % sides + (ring == 1) / 2.0) / sides;
             n[ring][k % 2] = (point){cos(angle), sin(angle), 0};
-            m[ring][k % 2] = unit((point){cos(angle), sin(angle), 1});
-            p[ring][k % 2] = scaled(n[ring][k % 2], 1 - is_top * chamfer);
+            m[ring][k % 2] = burnish_vec3_normalize((point){cos(angle), sin(angle), 1});
+            p[ring][k % 2] = burnish_vec3_scale(n[ring][k % 2], 1 - is_top * chamfer);
             p[ring][k % 2].z = (ring > 0) + is_top * chamfer;
         }
         add_polygon((point[]){p[0][0], p[0][1], p[1][0]}, (point[]){n[0][0], n[0][1], n[1][0]}, 3);
