@@ -395,12 +395,6 @@ static burnish_vec3 to_world(const view_mesh *view, burnish_vec3 p) {
                             burnish_vec3_add(across, burnish_vec3_scale(view->frame.back, p.z)));
 }
 
-static void store_vector(burnish_vec3 v, double target[3]) {
-    target[0] = v.x;
-    target[1] = v.y;
-    target[2] = v.z;
-}
-
 static burnish_status frame_mesh(const burnish_mesh *mesh, const burnish_framing *options,
                                  burnish_camera *camera, burnish_error *error) {
     const burnish_mesh_view *arrays = &mesh->view;
@@ -427,10 +421,10 @@ static burnish_status frame_mesh(const burnish_mesh *mesh, const burnish_framing
     }
     burnish_release(mesh->context, view.groups);
     *camera = (burnish_camera){.view_angle = options->view_angle, .orthographic_height = height};
-    store_vector(to_world(&view, position), camera->position);
-    store_vector(to_world(&view, (burnish_vec3){position.x, position.y, focus}),
-                 camera->focal_point);
-    store_vector(view.frame.up, camera->view_up);
+    burnish_vec3_store(to_world(&view, position), camera->position);
+    burnish_vec3_store(to_world(&view, (burnish_vec3){position.x, position.y, focus}),
+                       camera->focal_point);
+    burnish_vec3_store(view.frame.up, camera->view_up);
     return BURNISH_STATUS_OK;
 }
 
