@@ -1,6 +1,5 @@
 /* Outputs that appear whole or not at all. */
 #include <errno.h>
-#include <limits.h>
 #include <stdatomic.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -5,7 +5,6 @@
 #include "base/cli/options.h"
 
 #define CLI_PI 3.14159265358979323846
-#define CLI_DEGREE (CLI_PI / 180) /* in radians */
 
 /* Optional values. */
 typedef struct cli_real {

@@ -1,6 +1,5 @@
 /* Arrays of numbers by Python's buffer protocol. */
 #include <limits.h>
-#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,4 @@
 /* The cost of lobes, and the cheapest one within an error. */
-#include <math.h>
 
 #include "theory/internal.h"
 

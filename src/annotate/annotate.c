@@ -8,7 +8,6 @@
 #include "burnish/drawing.h"
 #include "core/float_mode.h"
 #include "core/srgb.h"
-#include "image/pixels.h"
 #include "image/text/drawing.h"
 #include "image/text/text.h"
 

@@ -1,5 +1,4 @@
 /* Annotations: numbers, lengths on the screen, and that nothing overlaps. */
-#include <locale.h>
 #include <math.h>
 
 #include "annotate/annotate.h"
