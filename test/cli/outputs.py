@@ -5,6 +5,15 @@ import pathlib
 import struct
 import zlib
 
+checks = []
+
+
+def check(truth, text):
+    """Ends the program unless it holds."""
+    checks.append(text)
+    if not truth:
+        raise SystemExit(text)
+
 
 def npy(path):
     """(shape, flat list) of an array."""

@@ -4,19 +4,11 @@ import math
 import subprocess
 import sys
 
-from outputs import exr, npy, png
+from outputs import check, checks, exr, npy, png
 
 BURNISH = sys.argv[1]
 W, H = 40, 30
 INFINITY = float("inf")
-checks = 0
-
-
-def check(truth, text):
-    global checks
-    checks += 1
-    if not truth:
-        raise SystemExit("planes: " + text)
 
 
 def render(*arguments):
@@ -151,4 +143,4 @@ def test_color():
 if __name__ == "__main__":
     test_tilted_plane()
     test_color()
-    print("planes: %d checks" % checks)
+    print("planes: %d checks" % len(checks))

@@ -2,18 +2,10 @@
 import subprocess
 import sys
 
-from outputs import gif, png, y4m
+from outputs import check, checks, gif, png, y4m
 
 BURNISH = sys.argv[1]
 W, H, N = 61, 46, 12  # odd, and not what y4m's halves divide
-checks = 0
-
-
-def check(truth, text):
-    global checks
-    checks += 1
-    if not truth:
-        raise SystemExit("turntable: " + text)
 
 
 def render(*arguments):
@@ -145,4 +137,4 @@ if __name__ == "__main__":
     test_framing()
     test_gif()
     test_y4m()
-    print("turntable: %d checks" % checks)
+    print("turntable: %d checks" % len(checks))
