@@ -285,6 +285,10 @@ static void q15_prove_composite_steps(uint32_t n, const burnish_composite_q15 *l
               n, 0);
 }
 
+static uint16_t q15_below(const burnish_composite_q15 *lobe, uint64_t a) {
+    return a > lobe->top ? 0 : burnish_composite_q15_of(lobe, (uint16_t)(lobe->top - a));
+}
+
 /* Every cosine, and every stride-th lambda to past the cutoff, of one exponent. */
 static void q15_prove_composite(uint32_t n, uint32_t stride, q15_composites *found) {
     burnish_composite_q15 lobe;
@@ -300,11 +304,7 @@ static void q15_prove_composite(uint32_t n, uint32_t stride, q15_composites *fou
         if (n < 15) {
             q15_bound(found, n, lambda / 32768.0, lambda / 32768.0, now, &before);
         } else {
-            q15_wrong(
-                &found->all,
-                now !=
-                    (a > lobe.top ? 0 : burnish_composite_q15_of(&lobe, (uint16_t)(lobe.top - a))),
-                n, cosine);
+            q15_wrong(&found->all, now != q15_below(&lobe, a), n, cosine);
         }
     }
     before = 0xFFFF;
@@ -314,11 +314,7 @@ static void q15_prove_composite(uint32_t n, uint32_t stride, q15_composites *fou
         if (n < 15) {
             q15_bound(found, n, lambda / 16777216.0, lambda / 16777216.0, now, &before);
         } else {
-            q15_wrong(
-                &found->all,
-                now !=
-                    (a > lobe.top ? 0 : burnish_composite_q15_of(&lobe, (uint16_t)(lobe.top - a))),
-                n, lambda);
+            q15_wrong(&found->all, now != q15_below(&lobe, a), n, lambda);
         }
     }
 }
