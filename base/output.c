@@ -1,5 +1,6 @@
 /* Outputs that appear whole or not at all. */
 #include <errno.h>
+#include <limits.h>
 #include <stdatomic.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -5,6 +5,7 @@
 #include <stdint.h>
 
 #include "base/elementary.h"
+#include "burnish/core.h"
 #include "support.h"
 
 /* The largest error of one function, and where. */

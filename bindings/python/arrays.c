@@ -1,5 +1,6 @@
 /* Arrays of numbers by Python's buffer protocol. */
 #include <limits.h>
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>

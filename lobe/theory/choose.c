@@ -1,4 +1,5 @@
 /* The cost of lobes, and the cheapest one within an error. */
+#include <math.h>
 
 #include "theory/internal.h"
 

@@ -2,6 +2,7 @@
 #include "batch/inputs.h"
 #include "base/archive_models.h"
 #include "base/cli/platform.h"
+#include "batch/batch.h"
 #include "batch/types.h"
 #include "cli/input.h"
 #include "import/importers.h"

@@ -1,4 +1,5 @@
 /* The report: JSON lines, from which the next run detects unchanged items. */
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #ifndef _WIN32

@@ -18,6 +18,7 @@
 #include "base/cli/platform.h"
 #include "base/cli/process.h"
 #include "cli/input.h"
+#include "cli/limits.h"
 #include "picture/formats.h"
 #include "sandbox/channel.h"
 #include "sandbox/lock.h"

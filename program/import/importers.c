@@ -5,6 +5,7 @@
 
 #include "base/cli/options.h"
 #include "cli/input.h"
+#include "import/folder.h"
 #include "import/importers.h"
 
 #define EXTENSION(word) "." #word " "

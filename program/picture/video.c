@@ -20,6 +20,7 @@ burnish_status picture_write_video(const char *container, const char *path,
 
 #else
 
+#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>

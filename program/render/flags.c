@@ -5,6 +5,7 @@
 #include "cli/main.h"
 #include "picture/formats.h"
 #include "render/flags.h"
+#include "render/render.h"
 #include "render/settings/flag_values.h"
 
 static const cli_word format_words[] = {{"auto", PICTURE_AUTO},

@@ -19,6 +19,7 @@
 #include "base/show_text.h"
 #include "cli/limits.h"
 #include "import/folder.h"
+#include "sandbox/lock.h"
 #include "sandbox/worker.h"
 
 /* Descriptors of the worker, besides the standard streams. */

@@ -21,6 +21,7 @@ char *serve_failed_line(int code, const char *message, const char *report) {
 
 #ifndef _WIN32
 
+#include <errno.h>
 #include <sys/mman.h>
 #include <unistd.h>
 

@@ -8,6 +8,7 @@
 #include "burnish/drawing.h"
 #include "core/float_mode.h"
 #include "core/srgb.h"
+#include "image/pixels.h"
 #include "image/text/drawing.h"
 #include "image/text/text.h"
 

@@ -1,4 +1,5 @@
 /* Annotations: numbers, lengths on the screen, and that nothing overlaps. */
+#include <locale.h>
 #include <math.h>
 
 #include "annotate/annotate.h"

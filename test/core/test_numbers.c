@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "decimal_comma.h"
+#include "mesh/read/io/parallel_text.h"
 #include "reader_input.h"
 
 /* A decimal of one of the shapes that files hold, and of some that they should not. */

@@ -1,4 +1,5 @@
 /* The light of a thin cylinder reflected by a lobe, as an integral along an arc. */
+#include <string.h>
 
 #include "theory/lights/arc.h"
 #include "theory/lights/vectors.h"

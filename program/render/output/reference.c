@@ -2,6 +2,7 @@
 #include "render/output/result.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "base/cli/output.h"
 #include "picture/panels.h"

@@ -1,4 +1,5 @@
 /* Materials and textures of meshes: what they may be, and who owns their memory. */
+#include <float.h>
 #include <string.h>
 
 #include "base/numbers.h"

@@ -2,6 +2,7 @@
  * stream is not trusted. */
 #include "mesh/read/bms.h"
 
+#include <float.h>
 #include <stdio.h>
 #include <string.h>
 
