@@ -217,14 +217,6 @@ class Pictures(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "open in text mode"):
             burnish.render(io.StringIO("solid"))
 
-    def test_again_and_again(self):
-        mesh = burnish.load(DATA / "cube.obj")
-        first = mesh.render(size=64).hash
-        mesh.render(size=100, color="red", material="metal", look="clay")
-        with self.assertRaises(burnish.Error):
-            mesh.render(samples=3)
-        self.assertEqual(mesh.render(size=64).hash, first)
-
     def test_option_types(self):
         """Types of each kind of value, and each option in the stage that takes it."""
         loading, drawing, both = (typing.get_type_hints(options) for options in (_options.Loading, _options.Drawing, _options.Options))
