@@ -1,15 +1,9 @@
 /* Exact values of the lobes in double precision. Uses libm, so no image may depend on it.
  */
-#include "base/arithmetic.h"
-#include "burnish/theory.h"
-
 #include <math.h>
 
-/* Clamps to [0, 1]; NaN gives 0. */
-static double saturate(double x) {
-    x = x > 0 ? x : 0;
-    return x < 1 ? x : 1;
-}
+#include "base/arithmetic.h"
+#include "theory/internal.h"
 
 double burnish_theory_family(double zeta, int order, double cosine) {
     if (!burnish_lobe_order_is_valid(order)) {

@@ -75,4 +75,10 @@ burnish_theory_shape burnish_theory_moebius_shape(double a, double b, double exp
 /* The constants of NV2X: (1 - a lambda) / (1 + b lambda) with the least maximum error. */
 void burnish_theory_solve_moebius(double exponent, double *a, double *b);
 
+/* Clamps to [0, 1]; NaN gives 0. */
+static inline double saturate(double x) {
+    x = x > 0 ? x : 0;
+    return x < 1 ? x : 1;
+}
+
 #endif

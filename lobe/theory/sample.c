@@ -5,11 +5,6 @@
 
 enum { HALVINGS = 52 };
 
-static double saturate(double x) {
-    x = x > 0 ? x : 0;
-    return x < 1 ? x : 1;
-}
-
 /* Inverts the integral by halving in s = sqrt(lambda), summing only the parts passed. */
 static double inverted(const burnish_theory_model *model, burnish_theory_measure measure,
                        double xi) {

@@ -141,7 +141,7 @@ static burnish_status folder_load(void *user_data, const char *name, uint64_t ma
     return status;
 }
 
-static void folder_release(void *user_data, const void *bytes, size_t size) {
+void folder_release(void *user_data, const void *bytes, size_t size) {
     (void)user_data, (void)size;
     free((void *)(uintptr_t)bytes);
 }

@@ -33,5 +33,6 @@ burnish_status folder_fail_memory(const char *name, uint64_t bytes, burnish_erro
 
 /* Both steps as a loader for load options; *folder must outlive it. */
 burnish_file_loader folder_loader(int *folder);
+void folder_release(void *user_data, const void *bytes, size_t size);
 
 #endif

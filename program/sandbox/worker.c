@@ -86,11 +86,6 @@ static burnish_status load_by_broker(void *user_data, const char *name, uint64_t
     return status;
 }
 
-static void release_file(void *user_data, const void *bytes, size_t size) {
-    (void)user_data, (void)size;
-    free((void *)(uintptr_t)bytes);
-}
-
 /* ---- The worker ---- */
 
 int sandbox_is_worker(void) {
@@ -152,7 +147,7 @@ static burnish_status load_input(const char *input, const burnish_load_options *
 
 static burnish_file_loader list_files(const char *input) {
     return strcmp(input, "-") == 0 ? (burnish_file_loader){0}
-                                   : (burnish_file_loader){load_by_broker, release_file, NULL};
+                                   : (burnish_file_loader){load_by_broker, folder_release, NULL};
 }
 
 void sandbox_become_worker(int channel, int input, const char *folder) {

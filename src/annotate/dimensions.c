@@ -26,10 +26,6 @@ typedef struct edge {
     double preference;
 } edge;
 
-static double magnitude(double value) {
-    return value < 0 ? -value : value;
-}
-
 /* 1 if all corners are on one side of the line through corners i and j. */
 static int make_edge(const burnish_annotation_view *view, int i, int j, edge *made) {
     const burnish_point p = view->corners[i], q = view->corners[j];
@@ -51,7 +47,7 @@ static int make_edge(const burnish_annotation_view *view, int i, int j, edge *ma
     }
     if (most > 0.01) {
         made->n = (burnish_point){-made->n.x, -made->n.y};
-    } else if (least > -0.01 && made->n.y < magnitude(made->n.x) * 0.5) {
+    } else if (least > -0.01 && made->n.y < burnish_magnitude(made->n.x) * 0.5) {
         made->n = (burnish_point){-made->n.x, -made->n.y}; /* a line: below it, or to the right */
     }
     made->p = p;
@@ -62,7 +58,7 @@ static int make_edge(const burnish_annotation_view *view, int i, int j, edge *ma
 }
 
 static double extent_along(burnish_point d, double width, double height) {
-    const double x = magnitude(d.x), y = magnitude(d.y);
+    const double x = burnish_magnitude(d.x), y = burnish_magnitude(d.y);
     return x * height < y * width ? height / y : width / x; /* through its middle */
 }
 
@@ -81,8 +77,8 @@ static void make_dimension(const burnish_annotation_view *view, const edge *e, i
     made->labels[0] = burnish_annotation_label_at(view, number, e->p, BURNISH_LAYER_LINES);
     const double width = made->labels[0].area.right - made->labels[0].area.left;
     const double gap = extent_along(e->d, width + clear, text + clear);
-    const double reach = (magnitude(e->d.x) * width + magnitude(e->d.y) * text) / 2;
-    const double depth = (magnitude(e->n.x) * width + magnitude(e->n.y) * text) / 2;
+    const double reach = (burnish_magnitude(e->d.x) * width + burnish_magnitude(e->d.y) * text) / 2;
+    const double depth = (burnish_magnitude(e->n.x) * width + burnish_magnitude(e->n.y) * text) / 2;
     const double least = LEAST_OFFSET * text, wide = depth + CLEAR * text * 1.2;
     const double offset = (wide > least && place == 0 ? wide : least) + tier * TIER * text;
     const burnish_point p = burnish_moved_along(e->p, e->n, offset),

@@ -28,6 +28,9 @@ static inline burnish_vec3 burnish_vec3_sub(burnish_vec3 a, burnish_vec3 b) {
 static inline burnish_vec3 burnish_vec3_scale(burnish_vec3 a, double s) {
     return (burnish_vec3){a.x * s, a.y * s, a.z * s};
 }
+static inline double burnish_magnitude(double x) {
+    return x < 0 ? -x : x;
+}
 static inline double burnish_vec3_dot(burnish_vec3 a, burnish_vec3 b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }

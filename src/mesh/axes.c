@@ -93,17 +93,13 @@ static int fit_circle(const finder *f, burnish_vec3 *center, burnish_vec3 *norma
     return 1;
 }
 
-static double magnitude(double x) {
-    return x < 0 ? -x : x;
-}
-
 static int is_circle(const finder *f, burnish_vec3 center, burnish_vec3 normal, double radius) {
     for (size_t i = 0; i < f->point_count; ++i) {
         const burnish_vec3 p = burnish_vec3_sub(f->points[i], center);
         const burnish_vec3 next =
             burnish_vec3_sub(f->points[(i + 1) % f->point_count], f->points[i]);
-        if (magnitude(burnish_vec3_dot(p, normal)) > ROUND_SHARE * radius ||
-            magnitude(burnish_vec3_length(p) - radius) > ROUND_SHARE * radius ||
+        if (burnish_magnitude(burnish_vec3_dot(p, normal)) > ROUND_SHARE * radius ||
+            burnish_magnitude(burnish_vec3_length(p) - radius) > ROUND_SHARE * radius ||
             burnish_vec3_length(next) > CHORD_SHARE * radius) {
             return 0;
         }

@@ -28,10 +28,6 @@ typedef struct layout {
     int baseline, below; /* from the picture's lower edge to the baseline, and to the band's end */
 } layout;
 
-static int larger_of(int a, int b) {
-    return a > b ? a : b;
-}
-
 static int has_label(const burnish_sheet_cell *cell) {
     return cell->label && *cell->label;
 }
@@ -89,13 +85,14 @@ static layout make_layout(const burnish_sheet_cell *cells, size_t count, int col
     layout made = {.columns = columns,
                    .width = image->width,
                    .height = image->height,
-                   .gap = larger_of(LEAST_GAP, shorter / GAP_DIVISOR)};
+                   .gap = shorter > LEAST_GAP * GAP_DIVISOR ? shorter / GAP_DIVISOR : LEAST_GAP};
     int labels = 0;
     for (size_t i = 0; i < count; ++i) {
         labels |= has_label(&cells[i]);
     }
     if (labels) {
-        int height = larger_of(LEAST_LABEL, image->height / LABEL_DIVISOR);
+        int height = image->height / LABEL_DIVISOR;
+        height = height > LEAST_LABEL ? height : LEAST_LABEL;
         made.label = fit_labels(cells, count, image->width, height);
         made.baseline = made.label * 9 / 5;
         made.below = made.baseline + made.label / 2;

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "core/vec3.h"
 #include "mesh/read/common/damage.h"
 #include "mesh/read/common/textures.h"
 
@@ -19,10 +20,6 @@ typedef struct box {
     double size;      /* the largest side, but at least a step of the floats */
     double distance;  /* the largest of center */
 } box;
-
-static double magnitude(double x) {
-    return x < 0 ? -x : x;
-}
 
 /* The box of every `step`-th position that a triangle uses, or of all positions if there are no
  * triangles. */
@@ -44,8 +41,9 @@ static box measure_box(const burnish_mesh_data *mesh, size_t step) {
         const double size = (double)high[k] - low[k], middle = ((double)low[k] + high[k]) / 2;
         const float reach = -low[k] > high[k] ? -low[k] : high[k];
         found.center[k] = mesh->origin[k] + middle;
-        found.distance = magnitude(found.center[k]) > found.distance ? magnitude(found.center[k])
-                                                                     : found.distance;
+        found.distance = burnish_magnitude(found.center[k]) > found.distance
+                             ? burnish_magnitude(found.center[k])
+                             : found.distance;
         found.size = size > found.size ? size : found.size;
         far = reach > far ? reach : far;
     }
@@ -65,7 +63,9 @@ static double power_below(double x) {
 /* Rounds to a multiple of the grid, which is a power of two. */
 static double snap_to_grid(double x, double grid) {
     const double cells = x / grid;
-    return magnitude(cells) < 0x1p52 ? (double)(int64_t)(cells + (x < 0 ? -0.5 : 0.5)) * grid : x;
+    return burnish_magnitude(cells) < 0x1p52
+               ? (double)(int64_t)(cells + (x < 0 ? -0.5 : 0.5)) * grid
+               : x;
 }
 
 int burnish_find_origin(const burnish_mesh_data *mesh, double origin[3]) {
@@ -86,7 +86,7 @@ int burnish_find_origin(const burnish_mesh_data *mesh, double origin[3]) {
     }
     int is_other = 0;
     for (int k = 0; k < 3; ++k) {
-        origin[k] = magnitude(all.center[k]) < NEAR * all.size
+        origin[k] = burnish_magnitude(all.center[k]) < NEAR * all.size
                         ? 0
                         : snap_to_grid(all.center[k], power_below(all.size) / 16);
         is_other |= origin[k] != old[k];

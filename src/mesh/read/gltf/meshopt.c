@@ -10,6 +10,7 @@
 
 #include "base/bytes.h"
 #include "base/elementary.h"
+#include "core/vec3.h"
 
 enum {
     HEADER_ATTRIBUTES = 0xA0, /* and the version, 0 or 1 */
@@ -386,15 +387,11 @@ static void put_rounded(uint8_t *p, size_t size, double value) {
     }
 }
 
-static double magnitude(double x) {
-    return x < 0 ? -x : x;
-}
-
 /* A unit vector from two coordinates on an octahedron; the third number is the scale of these. */
 static void undo_octahedral(uint8_t *p, size_t size) {
     const double most = size == 1 ? 127 : 32767;
     double v[3] = {get_signed(p, size), get_signed(p + size, size), get_signed(p + 2 * size, size)};
-    v[2] -= magnitude(v[0]) + magnitude(v[1]);
+    v[2] -= burnish_magnitude(v[0]) + burnish_magnitude(v[1]);
     const double fold = v[2] < 0 ? v[2] : 0;
     v[0] += v[0] >= 0 ? fold : -fold;
     v[1] += v[1] >= 0 ? fold : -fold;
