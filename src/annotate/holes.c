@@ -21,7 +21,7 @@
 #define SAME 0.05        /* pixels between positions that are one */
 #define DIAGONAL 0.70710678118654752440
 
-/* Bounds of time: labels in all, those that are tried next to circles, and edges that each keeps clear of. */
+/* Bounds of time: labels in all, those tried next to circles, edges that each keeps clear of. */
 enum { LABELS_MAX = 56, LEADERS = 32, MEMBERS = 8, DIAMETERS_MAX = 32, OUTLINES_MAX = 1 << 16 };
 
 typedef struct hole {

@@ -247,7 +247,7 @@ useless environment-turn "$environment" --environment-turn=20 :sphere
 useless environment-strength "$environment" --environment-strength=2 :sphere
 useless outline-contrast 'a transparent background has no colour; omit --no-background' --outline-contrast=99 --no-background :sphere
 shaded='a drawing is not shaded; use another --look'
-for flag in exposure=1 tone-mapping=filmic opacity=0.5 specular=1 exponent=9 equation=phong viewer=distant light=directional:1,1,1 lobe=power; do
+for flag in exposure=1 tone-mapping=filmic opacity=0.5 specular=1 exponent=9 equation=phong viewer=distant light=directional:1,1,1 lobe=power raytracing; do
     useless "${flag%%=*}" "$shaded" --look=drawing "--$flag" :teapot
 done
 useless quality 'only JPEG and WebP have it; use the extension .jpg or .webp' --quality=50 :sphere

@@ -137,6 +137,7 @@ done
 gives 0 render three.obj --look=drawing --clip=0,1,0,1.5 -o a.svg
 same "hatching of parts" "$(grep -c '<path fill="none" stroke' a.svg)" 3
 expect 2 'burnish: --callouts: a turntable shows only one view and one lobe; omit the flag' render three.obj --callouts --turntable=a.gif
+check "more parts than a list has" sh -c "awk 'BEGIN { print \"v 0 0 0\\nv 1 0 0\"; for (i = 1; i <= 1003; ++i) print \"v 0 \" i / 9 \" 0\\no \" i \"\\nf 1 2 \" i + 2 }' | '$burnish' render - --input-format=obj --callouts --look=drawing --size=64 -o a.svg 2>&1 | grep -q ': 3 more parts, which differ'"
 expect 0 'burnish: warning: --callouts: no effect: INPUT does not have two parts; omit the flag' render :sphere --size=64 --callouts -o a.png
 rm a.svg
 gives 0 render three.obj --size=16 --hide=screw -o a.png
@@ -223,6 +224,12 @@ mkdir unseen
 cd unseen || exit 1
 expect 8 'burnish: :sphere: the picture has one colour; check colours, lights and background; no file was written' render :sphere $unseen --fail-on-blank
 expect 8 'burnish: :sphere: 2 of 2 cells are blank; check colours, lights and background; no file was written' render :sphere $unseen --views=front,top --fail-on-blank
+nothing_left "a picture of one colour"
+cd ..
+run render :sphere $unseen --json -o t.png
+check "a picture of one colour is written with a warning: $(cat "$err")" grep -q 'warning: :sphere: the picture has only one colour' "$err"
+expect 0 '' render :sphere --size=16 --fail-on-blank -o t.png
+
 # Where walls that are seen from behind are not drawn, edges of tiles are not seen either: the step of light from column 127 to 128.
 printf 'v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 0 0 3\nv 4 0 3\nv 4 4 3\nv 0 4 3\nf 1 2 3 4\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n' >room.obj
 gives 0 render room.obj --raytracing --cull-back-faces --size=192 --samples=1 -o room.npy
@@ -231,13 +238,6 @@ import array
 d = array.array("f", open("room.npy", "rb").read()[-192 * 192 * 16:])
 step = sum(abs(d[(192 * y + 128) * 4 + 1] - d[(192 * y + 127) * 4 + 1]) for y in range(60, 130))
 assert step < 0.15, step'
-rm room.obj room.npy
-nothing_left "a picture of one colour"
-cd ..
-run render :sphere $unseen --json -o t.png
-check "a picture of one colour is written with a warning: $(cat "$err")" grep -q 'warning: :sphere: the picture has only one colour' "$err"
-expect 0 '' render :sphere --size=16 --fail-on-blank -o t.png
-
 # A glTF room shows its inside, unless more than a few faces have two sides, it is closed, or a flag says so.
 room() { # FILE FACES MATERIALS [INDICES of material 1]
     python3 - "$@" <<'END'

@@ -73,6 +73,7 @@ done
 expect 2 'burnish: -y: unknown flag; did you mean --overwrite?' render :sphere -y
 expect 2 'burnish: -resize: unknown flag; did you mean --size?' render :sphere -resize 50%
 expect 2 'burnish: -quality: unknown flag; did you mean --quality?' render :sphere -quality 90
+expect 2 'burnish: -density: unknown flag; did you mean --dpi?' render :sphere -density=300
 for pair in convert:render identify:info montage:batch; do
     expect 2 "burnish: \"${pair%:*}\": unknown command; did you mean ${pair#*:}?" "${pair%:*}" :sphere x.png
 done
