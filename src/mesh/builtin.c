@@ -6,7 +6,6 @@
 #include "core/vec3.h"
 #include "mesh/builtin.h"
 #include "mesh/data/mesh.h"
-#include "mesh/teapot_data.h"
 
 /* Reserves room in empty data for a surface with one normal per vertex. Errors: LIMIT (more
  * triangles than options->max_triangles), MEMORY. */
@@ -229,17 +228,51 @@ static void evaluate_patch(burnish_mesh_data *data, burnish_vec3 points[4][4], c
     add_vertex(data, turn_up(combine_points(row, v->value)), turn_up(normal));
 }
 
-static int first_row_is_point(const uint16_t patch[16]) {
-    return patch[0] == patch[1] && patch[0] == patch[2] && patch[0] == patch[3];
-}
+/* Control points, z up, the spout along +x: Martin Newell's of 1975 as published by Frank Crow, "The
+ * Origins of the Teapot", IEEE Computer Graphics and Applications 7(1), 1987, with the bottom that
+ * was added to it later. */
 
-static void add_patch(burnish_mesh_data *data, const uint16_t patch[16], int n) {
-    burnish_vec3 points[4][4];
+/* A quarter of a turned part; the others are the same turned about z. Points of a row: (radius, 0),
+ * (radius, -shoulder), (shoulder, -radius), (0, -radius). */
+typedef struct turned_row {
+    double radius, shoulder, z;
+} turned_row;
+
+typedef turned_row turned_part[4];
+
+static const turned_part
+    rim = {{1.4, 0.784, 2.4}, {1.3375, 0.749, 2.53125}, {1.4375, 0.805, 2.53125}, {1.5, 0.84, 2.4}},
+    shoulders = {{1.5, 0.84, 2.4}, {1.75, 0.98, 1.875}, {2, 1.12, 1.35}, {2, 1.12, 0.9}},
+    belly = {{2, 1.12, 0.9}, {2, 1.12, 0.45}, {1.5, 0.84, 0.225}, {1.5, 0.84, 0.15}},
+    knob = {{0, 0, 3.15}, {0.8, 0.45, 3.15}, {0, 0, 2.85}, {0.2, 0.112, 2.7}},
+    lid = {{0.2, 0.112, 2.7}, {0.4, 0.224, 2.55}, {1.3, 0.728, 2.55}, {1.3, 0.728, 2.4}},
+    bottom = {{0, 0, 0}, {1.425, 0.798, 0}, {1.5, 0.84, 0.075}, {1.5, 0.84, 0.15}};
+
+/* The half of a handle or spout with y < 0; the other half mirrors it. Points of a row: (x, 0, z),
+ * (x, -width, z), (other_x, -width, other_z), (other_x, 0, other_z). */
+typedef struct tube_row {
+    double x, z, other_x, other_z, width;
+} tube_row;
+
+static const tube_row handle[2][4] = {{{-1.6, 2.025, -1.5, 2.25, 0.3},
+                                       {-2.3, 2.025, -2.5, 2.25, 0.3},
+                                       {-2.7, 2.025, -3, 2.25, 0.3},
+                                       {-2.7, 1.8, -3, 1.8, 0.3}},
+                                      {{-2.7, 1.8, -3, 1.8, 0.3},
+                                       {-2.7, 1.575, -3, 1.35, 0.3},
+                                       {-2.5, 1.125, -2.65, 0.9375, 0.3},
+                                       {-2, 0.9, -1.9, 0.6, 0.3}}},
+                      spout[2][4] = {{{1.7, 1.425, 1.7, 0.6, 0.66},
+                                      {2.6, 1.425, 3.1, 0.825, 0.66},
+                                      {2.3, 2.1, 2.4, 2.025, 0.25},
+                                      {2.7, 2.4, 3.3, 2.4, 0.25}},
+                                     {{2.7, 2.4, 3.3, 2.4, 0.25},
+                                      {2.8, 2.475, 3.525, 2.49375, 0.25},
+                                      {2.9, 2.475, 3.45, 2.5125, 0.15},
+                                      {2.8, 2.4, 3.2, 2.4, 0.15}}};
+
+static void add_patch(burnish_mesh_data *data, burnish_vec3 points[4][4], int point, int n) {
     uint32_t base = (uint32_t)data->streams[BURNISH_POSITION].count, stride = (uint32_t)n + 1;
-    int point = first_row_is_point(patch);
-    for (int i = 0; i < 16; ++i) {
-        points[i / 4][i % 4] = burnish_vec3_load(teapot_points[patch[i]]);
-    }
     for (int j = 0; j <= n; ++j) {
         bernstein v = bernstein_at(j, n);
         for (int i = 0; i <= n; ++i) {
@@ -258,16 +291,56 @@ static void add_patch(burnish_mesh_data *data, const uint16_t patch[16], int n) 
     }
 }
 
+/* Four patches; `below` turns them to the other side of y = 0, so that they face down. */
+static void add_turned(burnish_mesh_data *data, const turned_part part, int below, int n) {
+    for (int turn = 0; turn < 4; ++turn) {
+        burnish_vec3 points[4][4];
+        for (int i = 0; i < 16; ++i) {
+            const turned_row *row = &part[i / 4];
+            const double along[4] = {row->radius, row->radius, row->shoulder, 0};
+            double x = along[i % 4], y = 0 - along[3 - i % 4];
+            for (int k = 0; k < turn; ++k) {
+                const double old_x = x;
+                x = y;
+                y = 0 - old_x;
+            }
+            points[i / 4][i % 4] = (burnish_vec3){x, below ? 0 - y : y, row->z};
+        }
+        add_patch(data, points, part[0].radius == 0, n);
+    }
+}
+
+/* Four patches. */
+static void add_tube(burnish_mesh_data *data, const tube_row tube[2][4], int n) {
+    for (int patch = 0; patch < 4; ++patch) {
+        burnish_vec3 points[4][4];
+        for (int i = 0; i < 16; ++i) {
+            const tube_row *row = &tube[patch / 2][i / 4];
+            const int mirrored = patch % 2, column = i % 4, other = (column >= 2) != mirrored;
+            const double y = column == 1 || column == 2 ? row->width : 0;
+            points[i / 4][column] = (burnish_vec3){
+                other ? row->other_x : row->x, mirrored ? y : 0 - y, other ? row->other_z : row->z};
+        }
+        add_patch(data, points, 0, n);
+    }
+}
+
+/* Of the 32 patches 8 begin in a point: the knob's and the bottom's. */
 static burnish_status make_teapot(const burnish_load_options *options, burnish_mesh_data *data,
                                   burnish_error *error) {
-    size_t n = (size_t)options->tessellation, triangles = 0;
-    for (int i = 0; i < TEAPOT_PATCHES; ++i) {
-        triangles += 2 * n * n - (first_row_is_point(teapot_patches[i]) ? n : 0);
-    }
-    burnish_status status = reserve_surface(data, ":teapot", TEAPOT_PATCHES * (n + 1) * (n + 1),
-                                            triangles, options, error);
-    for (int i = 0; status == BURNISH_STATUS_OK && i < TEAPOT_PATCHES; ++i) {
-        add_patch(data, teapot_patches[i], options->tessellation);
+    const int tessellation = options->tessellation;
+    const size_t n = (size_t)tessellation;
+    burnish_status status = reserve_surface(data, ":teapot", 32 * (n + 1) * (n + 1),
+                                            32 * 2 * n * n - 8 * n, options, error);
+    if (status == BURNISH_STATUS_OK) {
+        add_turned(data, rim, 0, tessellation);
+        add_turned(data, shoulders, 0, tessellation);
+        add_turned(data, belly, 0, tessellation);
+        add_tube(data, handle, tessellation);
+        add_tube(data, spout, tessellation);
+        add_turned(data, knob, 0, tessellation);
+        add_turned(data, lid, 0, tessellation);
+        add_turned(data, bottom, 1, tessellation);
     }
     return status;
 }

@@ -95,7 +95,7 @@ static void test_torus(void) {
 
 /* The data set has six open borders: the rim's inner edge, the lid's lower edge (both circles of
  * four patches), both ends of the handle, and both of the spout (two patches each). The handle's
- * lower end has one point in common with the body (number 68). With fewer than three segments a few
+ * lower end has one point in common with the body. With fewer than three segments a few
  * triangles of the spout's lip contradict the surface's normals, and are turned. */
 static void test_teapot(void) {
     for (int n = 3; n <= 16; n += n < 5 ? 1 : 5) {
