@@ -52,6 +52,16 @@
 #include "base/arithmetic.h"
 #include "burnish/core.h"
 
+/* An operation in a row: its result, name, type of x, or of a and b, and value. */
+#define VECTOR_UNARY(result, name, of, ...)                                                        \
+    static inline result name(of x) {                                                              \
+        return __VA_ARGS__;                                                                        \
+    }
+#define VECTOR_BINARY(result, name, of, ...)                                                       \
+    static inline result name(of a, of b) {                                                        \
+        return __VA_ARGS__;                                                                        \
+    }
+
 #if defined(BURNISH_VECTOR_SCALAR)
 #include "simd/vector_scalar.h"
 #elif defined(BURNISH_VECTOR_AVX512)

@@ -17,9 +17,7 @@ typedef __m256 vm;
 #define SI_TO_PS _mm256_castsi256_ps
 #include "simd/vector_x86.h"
 
-static inline vm vf_greater(vf a, vf b) {
-    return _mm256_cmp_ps(a, b, _CMP_GT_OQ);
-}
+VECTOR_BINARY(vm, vf_greater, vf, _mm256_cmp_ps(a, b, _CMP_GT_OQ))
 static inline vi vi_gather(const int32_t *table, vi index) {
     return _mm256_i32gather_epi32((const int *)table, index, 4);
 }

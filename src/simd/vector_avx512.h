@@ -18,27 +18,15 @@ typedef __mmask16 vm;
 #define SI_TO_PS _mm512_castsi512_ps
 #include "simd/vector_x86.h"
 
-static inline vm vf_greater(vf a, vf b) {
-    return _mm512_cmp_ps_mask(a, b, _CMP_GT_OQ);
-}
+VECTOR_BINARY(vm, vf_greater, vf, _mm512_cmp_ps_mask(a, b, _CMP_GT_OQ))
 static inline vf vf_and_mask(vm mask, vf x) {
     return _mm512_maskz_mov_ps(mask, x);
 }
-static inline vm vm_and(vm a, vm b) {
-    return (vm)(a & b);
-}
-static inline vm vm_or(vm a, vm b) {
-    return (vm)(a | b);
-}
-static inline vm vm_and_not(vm a, vm b) {
-    return (vm)(a & ~b);
-}
-static inline vm vm_not(vm a) {
-    return (vm)~a;
-}
-static inline int vm_any(vm mask) {
-    return mask != 0;
-}
+VECTOR_BINARY(vm, vm_and, vm, (vm)(a &b))
+VECTOR_BINARY(vm, vm_or, vm, (vm)(a | b))
+VECTOR_BINARY(vm, vm_and_not, vm, (vm)(a & ~b))
+VECTOR_UNARY(vm, vm_not, vm, (vm)~x)
+VECTOR_UNARY(int, vm_any, vm, x != 0)
 static inline vi vi_gather(const int32_t *table, vi index) {
     return _mm512_i32gather_epi32(index, table, 4);
 }
@@ -62,21 +50,13 @@ static inline vi vi_ramp(int32_t step) {
     const vi lanes = _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
     return _mm512_mullo_epi32(_mm512_set1_epi32(step), lanes);
 }
-static inline vi vi_load(const int32_t *from) {
-    return _mm512_loadu_si512((const void *)from);
-}
+VECTOR_UNARY(vi, vi_load, const int32_t *, _mm512_loadu_si512((const void *)x))
 static inline void vi_store(int32_t *to, vi x) {
     _mm512_storeu_si512((void *)to, x);
 }
-static inline vm vi_not_negative(vi x) {
-    return _mm512_cmpge_epi32_mask(x, _mm512_setzero_si512());
-}
-static inline vm vi_equal(vi a, vi b) {
-    return _mm512_cmpeq_epi32_mask(a, b);
-}
-static inline vm vi_greater(vi a, vi b) {
-    return _mm512_cmpgt_epi32_mask(a, b);
-}
+VECTOR_UNARY(vm, vi_not_negative, vi, _mm512_cmpge_epi32_mask(x, _mm512_setzero_si512()))
+VECTOR_BINARY(vm, vi_equal, vi, _mm512_cmpeq_epi32_mask(a, b))
+VECTOR_BINARY(vm, vi_greater, vi, _mm512_cmpgt_epi32_mask(a, b))
 static inline vf vf_blend(vm mask, vf a, vf b) {
     return _mm512_mask_blend_ps(mask, b, a);
 }
@@ -86,9 +66,7 @@ static inline vi vi_blend(vm mask, vi a, vi b) {
 static inline void vi_store_le_bytes(uint8_t *to, vi x) {
     _mm512_storeu_si512((void *)to, x);
 }
-static inline unsigned vm_bits(vm mask) {
-    return mask;
-}
+VECTOR_UNARY(unsigned, vm_bits, vm, x)
 static inline void vf_store_where(vm mask, float *to, vf x) {
     _mm512_mask_storeu_ps(to, mask, x);
 }

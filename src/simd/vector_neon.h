@@ -12,97 +12,47 @@ typedef float32x4_t vf;
 typedef int32x4_t vi;
 typedef uint32x4_t vm;
 
-static inline vf vf_set(float x) {
-    return vdupq_n_f32(x);
-}
-static inline vf vf_load(const float *from) {
-    return vld1q_f32(from);
-}
+VECTOR_UNARY(vf, vf_set, float, vdupq_n_f32(x))
+VECTOR_UNARY(vf, vf_load, const float *, vld1q_f32(x))
 static inline void vf_store(float *to, vf x) {
     vst1q_f32(to, x);
 }
 static inline void vf_stream(float *to, vf x) {
     vst1q_f32(to, x);
 }
-static inline vf vf_add(vf a, vf b) {
-    return vaddq_f32(a, b);
-}
-static inline vf vf_sub(vf a, vf b) {
-    return vsubq_f32(a, b);
-}
-static inline vf vf_mul(vf a, vf b) {
-    return vmulq_f32(a, b);
-}
-static inline vf vf_div(vf a, vf b) {
-    return vdivq_f32(a, b);
-}
-static inline vf vf_max(vf a, vf b) {
-    return vbslq_f32(vcgtq_f32(a, b), a, b);
-}
-static inline vf vf_min(vf a, vf b) {
-    return vbslq_f32(vcltq_f32(a, b), a, b);
-}
-static inline vm vf_greater(vf a, vf b) {
-    return vcgtq_f32(a, b);
-}
+VECTOR_BINARY(vf, vf_add, vf, vaddq_f32(a, b))
+VECTOR_BINARY(vf, vf_sub, vf, vsubq_f32(a, b))
+VECTOR_BINARY(vf, vf_mul, vf, vmulq_f32(a, b))
+VECTOR_BINARY(vf, vf_div, vf, vdivq_f32(a, b))
+VECTOR_BINARY(vf, vf_max, vf, vbslq_f32(vcgtq_f32(a, b), a, b))
+VECTOR_BINARY(vf, vf_min, vf, vbslq_f32(vcltq_f32(a, b), a, b))
+VECTOR_BINARY(vm, vf_greater, vf, vcgtq_f32(a, b))
 static inline vf vf_and_mask(vm mask, vf x) {
     return vreinterpretq_f32_u32(vandq_u32(mask, vreinterpretq_u32_f32(x)));
 }
-static inline vm vm_and(vm a, vm b) {
-    return vandq_u32(a, b);
-}
-static inline vm vm_or(vm a, vm b) {
-    return vorrq_u32(a, b);
-}
-static inline vm vm_and_not(vm a, vm b) {
-    return vbicq_u32(a, b);
-}
-static inline vm vm_not(vm a) {
-    return vmvnq_u32(a);
-}
-static inline int vm_any(vm mask) {
-    return vmaxvq_u32(mask) != 0;
-}
-static inline vi vi_set(int32_t x) {
-    return vdupq_n_s32(x);
-}
-static inline vi vf_bits(vf x) {
-    return vreinterpretq_s32_f32(x);
-}
-static inline vf vf_from_bits(vi x) {
-    return vreinterpretq_f32_s32(x);
-}
-static inline vi vi_add(vi a, vi b) {
-    return vaddq_s32(a, b);
-}
-static inline vi vi_sub(vi a, vi b) {
-    return vsubq_s32(a, b);
-}
-static inline vi vi_and(vi a, vi b) {
-    return vandq_s32(a, b);
-}
-static inline vi vi_xor(vi a, vi b) {
-    return veorq_s32(a, b);
-}
-static inline vi vi_or(vi a, vi b) {
-    return vorrq_s32(a, b);
-}
+VECTOR_BINARY(vm, vm_and, vm, vandq_u32(a, b))
+VECTOR_BINARY(vm, vm_or, vm, vorrq_u32(a, b))
+VECTOR_BINARY(vm, vm_and_not, vm, vbicq_u32(a, b))
+VECTOR_UNARY(vm, vm_not, vm, vmvnq_u32(x))
+VECTOR_UNARY(int, vm_any, vm, vmaxvq_u32(x) != 0)
+VECTOR_UNARY(vi, vi_set, int32_t, vdupq_n_s32(x))
+VECTOR_UNARY(vi, vf_bits, vf, vreinterpretq_s32_f32(x))
+VECTOR_UNARY(vf, vf_from_bits, vi, vreinterpretq_f32_s32(x))
+VECTOR_BINARY(vi, vi_add, vi, vaddq_s32(a, b))
+VECTOR_BINARY(vi, vi_sub, vi, vsubq_s32(a, b))
+VECTOR_BINARY(vi, vi_and, vi, vandq_s32(a, b))
+VECTOR_BINARY(vi, vi_xor, vi, veorq_s32(a, b))
+VECTOR_BINARY(vi, vi_or, vi, vorrq_s32(a, b))
 #define vi_shl(x, bits) vshlq_n_s32(x, bits)
 #define vi_shr(x, bits) vreinterpretq_s32_u32(vshrq_n_u32(vreinterpretq_u32_s32(x), bits))
 #define vi_sar(x, bits) vshrq_n_s32(x, bits)
-static inline vi vi_mul(vi a, vi b) {
-    return vmulq_s32(a, b);
-}
+VECTOR_BINARY(vi, vi_mul, vi, vmulq_s32(a, b))
 static inline vi vi_dot16(vi a, vi b) {
     int16x8_t x = vreinterpretq_s16_s32(a), y = vreinterpretq_s16_s32(b);
     return vpaddq_s32(vmull_s16(vget_low_s16(x), vget_low_s16(y)), vmull_high_s16(x, y));
 }
-static inline vi vi_max(vi a, vi b) {
-    return vmaxq_s32(a, b);
-}
-static inline vi vi_min(vi a, vi b) {
-    return vminq_s32(a, b);
-}
+VECTOR_BINARY(vi, vi_max, vi, vmaxq_s32(a, b))
+VECTOR_BINARY(vi, vi_min, vi, vminq_s32(a, b))
 static inline vi vi_gather(const int32_t *table, vi index) {
     int32_t lanes[4];
     vst1q_s32(lanes, index);
@@ -129,31 +79,19 @@ static inline vf vf_gather(const float *table, vi index) {
     const float lanes[4] = {table[at[0]], table[at[1]], table[at[2]], table[at[3]]};
     return vld1q_f32(lanes);
 }
-static inline vf vf_from_int(vi x) {
-    return vcvtq_f32_s32(x);
-}
-static inline vi vi_truncate(vf x) {
-    return vcvtq_s32_f32(x);
-}
+VECTOR_UNARY(vf, vf_from_int, vi, vcvtq_f32_s32(x))
+VECTOR_UNARY(vi, vi_truncate, vf, vcvtq_s32_f32(x))
 static inline vi vi_ramp(int32_t step) {
     const int32_t lanes[4] = {0, 1, 2, 3};
     return vmulq_n_s32(vld1q_s32(lanes), step);
 }
-static inline vi vi_load(const int32_t *from) {
-    return vld1q_s32(from);
-}
+VECTOR_UNARY(vi, vi_load, const int32_t *, vld1q_s32(x))
 static inline void vi_store(int32_t *to, vi x) {
     vst1q_s32(to, x);
 }
-static inline vm vi_not_negative(vi x) {
-    return vcgeq_s32(x, vdupq_n_s32(0));
-}
-static inline vm vi_equal(vi a, vi b) {
-    return vceqq_s32(a, b);
-}
-static inline vm vi_greater(vi a, vi b) {
-    return vcgtq_s32(a, b);
-}
+VECTOR_UNARY(vm, vi_not_negative, vi, vcgeq_s32(x, vdupq_n_s32(0)))
+VECTOR_BINARY(vm, vi_equal, vi, vceqq_s32(a, b))
+VECTOR_BINARY(vm, vi_greater, vi, vcgtq_s32(a, b))
 static inline vf vf_blend(vm mask, vf a, vf b) {
     return vbslq_f32(mask, a, b);
 }

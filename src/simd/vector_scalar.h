@@ -12,39 +12,21 @@ typedef float vf;
 typedef uint32_t vi;
 typedef uint32_t vm; /* 0 or all ones */
 
-static inline vf vf_set(float x) {
-    return x;
-}
-static inline vf vf_load(const float *from) {
-    return *from;
-}
+VECTOR_UNARY(vf, vf_set, float, x)
+VECTOR_UNARY(vf, vf_load, const float *, *x)
 static inline void vf_store(float *to, vf x) {
     *to = x;
 }
 static inline void vf_stream(float *to, vf x) {
     *to = x;
 }
-static inline vf vf_add(vf a, vf b) {
-    return a + b;
-}
-static inline vf vf_sub(vf a, vf b) {
-    return a - b;
-}
-static inline vf vf_mul(vf a, vf b) {
-    return a * b;
-}
-static inline vf vf_div(vf a, vf b) {
-    return a / b;
-}
-static inline vf vf_max(vf a, vf b) {
-    return a > b ? a : b;
-}
-static inline vf vf_min(vf a, vf b) {
-    return a < b ? a : b;
-}
-static inline vi vi_set(int32_t x) {
-    return (uint32_t)x;
-}
+VECTOR_BINARY(vf, vf_add, vf, a + b)
+VECTOR_BINARY(vf, vf_sub, vf, a - b)
+VECTOR_BINARY(vf, vf_mul, vf, a *b)
+VECTOR_BINARY(vf, vf_div, vf, a / b)
+VECTOR_BINARY(vf, vf_max, vf, a > b ? a : b)
+VECTOR_BINARY(vf, vf_min, vf, a < b ? a : b)
+VECTOR_UNARY(vi, vi_set, int32_t, (uint32_t)x)
 static inline vi vf_bits(vf x) {
     vi bits;
     memcpy(&bits, &x, sizeof bits);
@@ -55,42 +37,20 @@ static inline vf vf_from_bits(vi x) {
     memcpy(&value, &x, sizeof value);
     return value;
 }
-static inline vm vf_greater(vf a, vf b) {
-    return a > b ? ~0u : 0u;
-}
+VECTOR_BINARY(vm, vf_greater, vf, a > b ? ~0u : 0u)
 static inline vf vf_and_mask(vm mask, vf x) {
     return vf_from_bits(mask & vf_bits(x));
 }
-static inline vm vm_and(vm a, vm b) {
-    return a & b;
-}
-static inline vm vm_or(vm a, vm b) {
-    return a | b;
-}
-static inline vm vm_and_not(vm a, vm b) {
-    return a & ~b;
-}
-static inline vm vm_not(vm a) {
-    return ~a;
-}
-static inline int vm_any(vm mask) {
-    return mask != 0;
-}
-static inline vi vi_add(vi a, vi b) {
-    return a + b;
-}
-static inline vi vi_sub(vi a, vi b) {
-    return a - b;
-}
-static inline vi vi_and(vi a, vi b) {
-    return a & b;
-}
-static inline vi vi_xor(vi a, vi b) {
-    return a ^ b;
-}
-static inline vi vi_or(vi a, vi b) {
-    return a | b;
-}
+VECTOR_BINARY(vm, vm_and, vm, a &b)
+VECTOR_BINARY(vm, vm_or, vm, a | b)
+VECTOR_BINARY(vm, vm_and_not, vm, a & ~b)
+VECTOR_UNARY(vm, vm_not, vm, ~x)
+VECTOR_UNARY(int, vm_any, vm, x != 0)
+VECTOR_BINARY(vi, vi_add, vi, a + b)
+VECTOR_BINARY(vi, vi_sub, vi, a - b)
+VECTOR_BINARY(vi, vi_and, vi, a &b)
+VECTOR_BINARY(vi, vi_xor, vi, a ^ b)
+VECTOR_BINARY(vi, vi_or, vi, a | b)
 static inline vi vi_shl(vi x, unsigned bits) {
     return x << bits;
 }
@@ -100,20 +60,14 @@ static inline vi vi_shr(vi x, unsigned bits) {
 static inline vi vi_sar(vi x, unsigned bits) {
     return (uint32_t)((int32_t)x >> bits);
 }
-static inline vi vi_mul(vi a, vi b) {
-    return a * b;
-}
+VECTOR_BINARY(vi, vi_mul, vi, a *b)
 static inline vi vi_dot16(vi a, vi b) {
     const int32_t low = (int16_t)(uint16_t)a * (int16_t)(uint16_t)b;
     const int32_t high = (int16_t)(uint16_t)(a >> 16) * (int16_t)(uint16_t)(b >> 16);
     return (uint32_t)low + (uint32_t)high;
 }
-static inline vi vi_max(vi a, vi b) {
-    return (int32_t)a > (int32_t)b ? a : b;
-}
-static inline vi vi_min(vi a, vi b) {
-    return (int32_t)a < (int32_t)b ? a : b;
-}
+VECTOR_BINARY(vi, vi_max, vi, (int32_t)a > (int32_t)b ? a : b)
+VECTOR_BINARY(vi, vi_min, vi, (int32_t)a < (int32_t)b ? a : b)
 static inline vi vi_gather(const int32_t *table, vi index) {
     return (uint32_t)table[index];
 }
@@ -126,30 +80,18 @@ static inline vi vi_gather_pair(const uint16_t *table, vi index) {
 static inline vf vf_gather(const float *table, vi index) {
     return table[index];
 }
-static inline vf vf_from_int(vi x) {
-    return (float)(int32_t)x;
-}
-static inline vi vi_truncate(vf x) {
-    return (uint32_t)(int32_t)x;
-}
+VECTOR_UNARY(vf, vf_from_int, vi, (float)(int32_t)x)
+VECTOR_UNARY(vi, vi_truncate, vf, (uint32_t)(int32_t)x)
 static inline vi vi_ramp(int32_t step) {
     return 0 * (uint32_t)step;
 }
-static inline vi vi_load(const int32_t *from) {
-    return (uint32_t)*from;
-}
+VECTOR_UNARY(vi, vi_load, const int32_t *, (uint32_t)*x)
 static inline void vi_store(int32_t *to, vi x) {
     *to = (int32_t)x;
 }
-static inline vm vi_not_negative(vi x) {
-    return (int32_t)x >= 0 ? ~0u : 0u;
-}
-static inline vm vi_equal(vi a, vi b) {
-    return a == b ? ~0u : 0u;
-}
-static inline vm vi_greater(vi a, vi b) {
-    return (int32_t)a > (int32_t)b ? ~0u : 0u;
-}
+VECTOR_UNARY(vm, vi_not_negative, vi, (int32_t)x >= 0 ? ~0u : 0u)
+VECTOR_BINARY(vm, vi_equal, vi, a == b ? ~0u : 0u)
+VECTOR_BINARY(vm, vi_greater, vi, (int32_t)a > (int32_t)b ? ~0u : 0u)
 static inline vf vf_blend(vm mask, vf a, vf b) {
     return mask ? a : b;
 }
@@ -163,9 +105,7 @@ static inline void vi_store_le_bytes(uint8_t *to,
     to[2] = (uint8_t)(x >> 16);
     to[3] = (uint8_t)(x >> 24);
 }
-static inline unsigned vm_bits(vm mask) {
-    return mask & 1;
-}
+VECTOR_UNARY(unsigned, vm_bits, vm, x & 1)
 static inline void vf_store_where(vm mask, float *to, vf x) {
     *to = mask ? x : *to;
 }

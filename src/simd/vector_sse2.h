@@ -17,9 +17,7 @@ typedef __m128 vm;
 #define SI_TO_PS _mm_castsi128_ps
 #include "simd/vector_x86.h"
 
-static inline vm vf_greater(vf a, vf b) {
-    return _mm_cmpgt_ps(a, b);
-}
+VECTOR_BINARY(vm, vf_greater, vf, _mm_cmpgt_ps(a, b))
 static inline vi vi_mul(vi a, vi b) {
     vi even = _mm_mul_epu32(a, b);
     vi odd = _mm_mul_epu32(_mm_srli_si128(a, 4), _mm_srli_si128(b, 4));

@@ -13,81 +13,37 @@ typedef v128_t vf;
 typedef v128_t vi;
 typedef v128_t vm;
 
-static inline vf vf_set(float x) {
-    return wasm_f32x4_splat(x);
-}
-static inline vf vf_load(const float *from) {
-    return wasm_v128_load(from);
-}
+VECTOR_UNARY(vf, vf_set, float, wasm_f32x4_splat(x))
+VECTOR_UNARY(vf, vf_load, const float *, wasm_v128_load(x))
 static inline void vf_store(float *to, vf x) {
     wasm_v128_store(to, x);
 }
 static inline void vf_stream(float *to, vf x) {
     wasm_v128_store(to, x);
 }
-static inline vf vf_add(vf a, vf b) {
-    return wasm_f32x4_add(a, b);
-}
-static inline vf vf_sub(vf a, vf b) {
-    return wasm_f32x4_sub(a, b);
-}
-static inline vf vf_mul(vf a, vf b) {
-    return wasm_f32x4_mul(a, b);
-}
-static inline vf vf_div(vf a, vf b) {
-    return wasm_f32x4_div(a, b);
-}
-static inline vf vf_max(vf a, vf b) {
-    return wasm_f32x4_pmax(b, a);
-}
-static inline vf vf_min(vf a, vf b) {
-    return wasm_f32x4_pmin(b, a);
-}
-static inline vm vf_greater(vf a, vf b) {
-    return wasm_f32x4_gt(a, b);
-}
+VECTOR_BINARY(vf, vf_add, vf, wasm_f32x4_add(a, b))
+VECTOR_BINARY(vf, vf_sub, vf, wasm_f32x4_sub(a, b))
+VECTOR_BINARY(vf, vf_mul, vf, wasm_f32x4_mul(a, b))
+VECTOR_BINARY(vf, vf_div, vf, wasm_f32x4_div(a, b))
+VECTOR_BINARY(vf, vf_max, vf, wasm_f32x4_pmax(b, a))
+VECTOR_BINARY(vf, vf_min, vf, wasm_f32x4_pmin(b, a))
+VECTOR_BINARY(vm, vf_greater, vf, wasm_f32x4_gt(a, b))
 static inline vf vf_and_mask(vm mask, vf x) {
     return wasm_v128_and(mask, x);
 }
-static inline vm vm_and(vm a, vm b) {
-    return wasm_v128_and(a, b);
-}
-static inline vm vm_or(vm a, vm b) {
-    return wasm_v128_or(a, b);
-}
-static inline vm vm_and_not(vm a, vm b) {
-    return wasm_v128_andnot(a, b);
-}
-static inline vm vm_not(vm a) {
-    return wasm_v128_not(a);
-}
-static inline int vm_any(vm mask) {
-    return wasm_v128_any_true(mask);
-}
-static inline vi vi_set(int32_t x) {
-    return wasm_i32x4_splat(x);
-}
-static inline vi vf_bits(vf x) {
-    return x;
-}
-static inline vf vf_from_bits(vi x) {
-    return x;
-}
-static inline vi vi_add(vi a, vi b) {
-    return wasm_i32x4_add(a, b);
-}
-static inline vi vi_sub(vi a, vi b) {
-    return wasm_i32x4_sub(a, b);
-}
-static inline vi vi_and(vi a, vi b) {
-    return wasm_v128_and(a, b);
-}
-static inline vi vi_xor(vi a, vi b) {
-    return wasm_v128_xor(a, b);
-}
-static inline vi vi_or(vi a, vi b) {
-    return wasm_v128_or(a, b);
-}
+VECTOR_BINARY(vm, vm_and, vm, wasm_v128_and(a, b))
+VECTOR_BINARY(vm, vm_or, vm, wasm_v128_or(a, b))
+VECTOR_BINARY(vm, vm_and_not, vm, wasm_v128_andnot(a, b))
+VECTOR_UNARY(vm, vm_not, vm, wasm_v128_not(x))
+VECTOR_UNARY(int, vm_any, vm, wasm_v128_any_true(x))
+VECTOR_UNARY(vi, vi_set, int32_t, wasm_i32x4_splat(x))
+VECTOR_UNARY(vi, vf_bits, vf, x)
+VECTOR_UNARY(vf, vf_from_bits, vi, x)
+VECTOR_BINARY(vi, vi_add, vi, wasm_i32x4_add(a, b))
+VECTOR_BINARY(vi, vi_sub, vi, wasm_i32x4_sub(a, b))
+VECTOR_BINARY(vi, vi_and, vi, wasm_v128_and(a, b))
+VECTOR_BINARY(vi, vi_xor, vi, wasm_v128_xor(a, b))
+VECTOR_BINARY(vi, vi_or, vi, wasm_v128_or(a, b))
 static inline vi vi_shl(vi x, unsigned bits) {
     return wasm_i32x4_shl(x, bits);
 }
@@ -97,18 +53,10 @@ static inline vi vi_shr(vi x, unsigned bits) {
 static inline vi vi_sar(vi x, unsigned bits) {
     return wasm_i32x4_shr(x, bits);
 }
-static inline vi vi_mul(vi a, vi b) {
-    return wasm_i32x4_mul(a, b);
-}
-static inline vi vi_dot16(vi a, vi b) {
-    return wasm_i32x4_dot_i16x8(a, b);
-}
-static inline vi vi_max(vi a, vi b) {
-    return wasm_i32x4_max(a, b);
-}
-static inline vi vi_min(vi a, vi b) {
-    return wasm_i32x4_min(a, b);
-}
+VECTOR_BINARY(vi, vi_mul, vi, wasm_i32x4_mul(a, b))
+VECTOR_BINARY(vi, vi_dot16, vi, wasm_i32x4_dot_i16x8(a, b))
+VECTOR_BINARY(vi, vi_max, vi, wasm_i32x4_max(a, b))
+VECTOR_BINARY(vi, vi_min, vi, wasm_i32x4_min(a, b))
 static inline vi vi_gather(const int32_t *table, vi index) {
     int32_t lanes[4];
     wasm_v128_store(lanes, index);
@@ -134,30 +82,18 @@ static inline vf vf_gather(const float *table, vi index) {
     wasm_v128_store(at, index);
     return wasm_f32x4_make(table[at[0]], table[at[1]], table[at[2]], table[at[3]]);
 }
-static inline vf vf_from_int(vi x) {
-    return wasm_f32x4_convert_i32x4(x);
-}
-static inline vi vi_truncate(vf x) {
-    return wasm_i32x4_trunc_sat_f32x4(x);
-}
+VECTOR_UNARY(vf, vf_from_int, vi, wasm_f32x4_convert_i32x4(x))
+VECTOR_UNARY(vi, vi_truncate, vf, wasm_i32x4_trunc_sat_f32x4(x))
 static inline vi vi_ramp(int32_t step) {
     return wasm_i32x4_mul(wasm_i32x4_splat(step), wasm_i32x4_make(0, 1, 2, 3));
 }
-static inline vi vi_load(const int32_t *from) {
-    return wasm_v128_load(from);
-}
+VECTOR_UNARY(vi, vi_load, const int32_t *, wasm_v128_load(x))
 static inline void vi_store(int32_t *to, vi x) {
     wasm_v128_store(to, x);
 }
-static inline vm vi_not_negative(vi x) {
-    return wasm_i32x4_ge(x, wasm_i32x4_splat(0));
-}
-static inline vm vi_equal(vi a, vi b) {
-    return wasm_i32x4_eq(a, b);
-}
-static inline vm vi_greater(vi a, vi b) {
-    return wasm_i32x4_gt(a, b);
-}
+VECTOR_UNARY(vm, vi_not_negative, vi, wasm_i32x4_ge(x, wasm_i32x4_splat(0)))
+VECTOR_BINARY(vm, vi_equal, vi, wasm_i32x4_eq(a, b))
+VECTOR_BINARY(vm, vi_greater, vi, wasm_i32x4_gt(a, b))
 static inline vf vf_blend(vm mask, vf a, vf b) {
     return wasm_v128_bitselect(a, b, mask);
 }
@@ -167,9 +103,7 @@ static inline vi vi_blend(vm mask, vi a, vi b) {
 static inline void vi_store_le_bytes(uint8_t *to, vi x) {
     wasm_v128_store(to, x);
 }
-static inline unsigned vm_bits(vm mask) {
-    return wasm_i32x4_bitmask(mask);
-}
+VECTOR_UNARY(unsigned, vm_bits, vm, wasm_i32x4_bitmask(x))
 static inline void vf_store_where(vm mask, float *to, vf x) {
     wasm_v128_store(to, wasm_v128_bitselect(x, wasm_v128_load(to), mask));
 }

@@ -4,83 +4,39 @@
 #ifndef BURNISH_SIMD_VECTOR_X86_H
 #define BURNISH_SIMD_VECTOR_X86_H
 
-static inline vf vf_set(float x) {
-    return MM(set1_ps)(x);
-}
-static inline vf vf_load(const float *from) {
-    return MM(loadu_ps)(from);
-}
+VECTOR_UNARY(vf, vf_set, float, MM(set1_ps)(x))
+VECTOR_UNARY(vf, vf_load, const float *, MM(loadu_ps)(x))
 static inline void vf_store(float *to, vf x) {
     MM(storeu_ps)(to, x);
 }
 static inline void vf_stream(float *to, vf x) {
     MM(stream_ps)(to, x);
 }
-static inline vf vf_add(vf a, vf b) {
-    return MM(add_ps)(a, b);
-}
-static inline vf vf_sub(vf a, vf b) {
-    return MM(sub_ps)(a, b);
-}
-static inline vf vf_mul(vf a, vf b) {
-    return MM(mul_ps)(a, b);
-}
-static inline vf vf_div(vf a, vf b) {
-    return MM(div_ps)(a, b);
-}
-static inline vf vf_max(vf a, vf b) {
-    return MM(max_ps)(a, b);
-}
-static inline vf vf_min(vf a, vf b) {
-    return MM(min_ps)(a, b);
-}
-static inline vi vi_set(int32_t x) {
-    return MM(set1_epi32)(x);
-}
-static inline vi vf_bits(vf x) {
-    return SI(castps)(x);
-}
-static inline vf vf_from_bits(vi x) {
-    return SI_TO_PS(x);
-}
-static inline vi vi_add(vi a, vi b) {
-    return MM(add_epi32)(a, b);
-}
-static inline vi vi_sub(vi a, vi b) {
-    return MM(sub_epi32)(a, b);
-}
-static inline vi vi_and(vi a, vi b) {
-    return SI(and)(a, b);
-}
-static inline vi vi_xor(vi a, vi b) {
-    return SI(xor)(a, b);
-}
-static inline vi vi_or(vi a, vi b) {
-    return SI(or)(a, b);
-}
+VECTOR_BINARY(vf, vf_add, vf, MM(add_ps)(a, b))
+VECTOR_BINARY(vf, vf_sub, vf, MM(sub_ps)(a, b))
+VECTOR_BINARY(vf, vf_mul, vf, MM(mul_ps)(a, b))
+VECTOR_BINARY(vf, vf_div, vf, MM(div_ps)(a, b))
+VECTOR_BINARY(vf, vf_max, vf, MM(max_ps)(a, b))
+VECTOR_BINARY(vf, vf_min, vf, MM(min_ps)(a, b))
+VECTOR_UNARY(vi, vi_set, int32_t, MM(set1_epi32)(x))
+VECTOR_UNARY(vi, vf_bits, vf, SI(castps)(x))
+VECTOR_UNARY(vf, vf_from_bits, vi, SI_TO_PS(x))
+VECTOR_BINARY(vi, vi_add, vi, MM(add_epi32)(a, b))
+VECTOR_BINARY(vi, vi_sub, vi, MM(sub_epi32)(a, b))
+VECTOR_BINARY(vi, vi_and, vi, SI (and)(a, b))
+VECTOR_BINARY(vi, vi_xor, vi, SI (xor)(a, b))
+VECTOR_BINARY(vi, vi_or, vi, SI(or)(a, b))
 #define vi_shl(x, bits) MM(slli_epi32)(x, bits)
 #define vi_shr(x, bits) MM(srli_epi32)(x, bits)
 #define vi_sar(x, bits) MM(srai_epi32)(x, bits)
-static inline vi vi_dot16(vi a, vi b) {
-    return MM(madd_epi16)(a, b);
-}
-static inline vf vf_from_int(vi x) {
-    return MM(cvtepi32_ps)(x);
-}
-static inline vi vi_truncate(vf x) {
-    return MM(cvttps_epi32)(x);
-}
+VECTOR_BINARY(vi, vi_dot16, vi, MM(madd_epi16)(a, b))
+VECTOR_UNARY(vf, vf_from_int, vi, MM(cvtepi32_ps)(x))
+VECTOR_UNARY(vi, vi_truncate, vf, MM(cvttps_epi32)(x))
 
 #if defined(VECTOR_HAS_PERMUTE)
-static inline vi vi_mul(vi a, vi b) {
-    return MM(mullo_epi32)(a, b);
-}
-static inline vi vi_max(vi a, vi b) {
-    return MM(max_epi32)(a, b);
-}
-static inline vi vi_min(vi a, vi b) {
-    return MM(min_epi32)(a, b);
-}
+VECTOR_BINARY(vi, vi_mul, vi, MM(mullo_epi32)(a, b))
+VECTOR_BINARY(vi, vi_max, vi, MM(max_epi32)(a, b))
+VECTOR_BINARY(vi, vi_min, vi, MM(min_epi32)(a, b))
 static inline vi vi_shuffle_bytes(vi x, vi order) {
     return MM(shuffle_epi8)(x, order);
 }
@@ -106,42 +62,22 @@ static inline void vector_fence(void) {
 static inline vf vf_and_mask(vm mask, vf x) {
     return MM(and_ps)(mask, x);
 }
-static inline vm vm_and(vm a, vm b) {
-    return MM(and_ps)(a, b);
-}
-static inline vm vm_or(vm a, vm b) {
-    return MM(or_ps)(a, b);
-}
-static inline vm vm_and_not(vm a, vm b) {
-    return MM(andnot_ps)(b, a);
-}
-static inline vm vm_not(vm a) {
-    return MM(xor_ps)(a, vf_from_bits(MM(set1_epi32)(-1)));
-}
-static inline int vm_any(vm mask) {
-    return MM(movemask_ps)(mask) != 0;
-}
-static inline vi vi_load(const int32_t *from) {
-    return SI(loadu)((const vi *)(const void *)from);
-}
+VECTOR_BINARY(vm, vm_and, vm, MM(and_ps)(a, b))
+VECTOR_BINARY(vm, vm_or, vm, MM(or_ps)(a, b))
+VECTOR_BINARY(vm, vm_and_not, vm, MM(andnot_ps)(b, a))
+VECTOR_UNARY(vm, vm_not, vm, MM(xor_ps)(x, vf_from_bits(MM(set1_epi32)(-1))))
+VECTOR_UNARY(int, vm_any, vm, MM(movemask_ps)(x) != 0)
+VECTOR_UNARY(vi, vi_load, const int32_t *, SI(loadu)((const vi *)(const void *)x))
 static inline void vi_store(int32_t *to, vi x) {
     SI(storeu)((vi *)(void *)to, x);
 }
-static inline vm vi_not_negative(vi x) {
-    return vf_from_bits(MM(cmpgt_epi32)(x, MM(set1_epi32)(-1)));
-}
-static inline vm vi_equal(vi a, vi b) {
-    return vf_from_bits(MM(cmpeq_epi32)(a, b));
-}
-static inline vm vi_greater(vi a, vi b) {
-    return vf_from_bits(MM(cmpgt_epi32)(a, b));
-}
+VECTOR_UNARY(vm, vi_not_negative, vi, vf_from_bits(MM(cmpgt_epi32)(x, MM(set1_epi32)(-1))))
+VECTOR_BINARY(vm, vi_equal, vi, vf_from_bits(MM(cmpeq_epi32)(a, b)))
+VECTOR_BINARY(vm, vi_greater, vi, vf_from_bits(MM(cmpgt_epi32)(a, b)))
 static inline void vi_store_le_bytes(uint8_t *to, vi x) {
     SI(storeu)((vi *)(void *)to, x);
 }
-static inline unsigned vm_bits(vm mask) {
-    return (unsigned)MM(movemask_ps)(mask);
-}
+VECTOR_UNARY(unsigned, vm_bits, vm, (unsigned)MM(movemask_ps)(x))
 #endif
 
 #endif
