@@ -19,8 +19,7 @@ enum fit {
     FIT_ZETA,
     FIT_COMPOSITE,
     FIT_POWER,
-    FIT_DIVIDER,
-    FIT_ROM
+    FIT_DIVIDER
 };
 
 enum { HELD_EXPONENT = 60 };
@@ -76,19 +75,6 @@ static inline uint16_t schlick_divided(const vector &v, uint16_t result) {
     return (uint16_t)(q >> result ? (1u << result) - 1u : q);
 }
 
-/* The same by a table of reciprocals, to 8 bits. */
-static inline uint16_t schlick_by_table(const vector &v) {
-    const uint64_t c = v.cosine > 0x8000u ? 0x8000u : v.cosine;
-    const uint64_t d = v.exponent * (0x8000u - c) + c;
-    unsigned e = 0;
-    while (d >> (e + 1)) {
-        ++e;
-    }
-    const uint64_t index = (e >= 8 ? d >> (e - 8) : d << (8 - e)) & 255u;
-    const uint64_t value = ((c * (33554432u / (513u + 2u * index)) >> (e + 7)) + 1) >> 1;
-    return (uint16_t)(value > 255 ? 255 : value);
-}
-
 /* The lobe to fewer than 16 bits: fast8 of lobe_q15.h for any number of bits. */
 static inline uint16_t fast_to(unsigned bits, uint_fast16_t a, uint8_t squarings) {
     const uint32_t x =
@@ -103,8 +89,6 @@ static inline uint16_t expected(const unit &u, const vector &v) {
     switch (u.which) {
     case FIT_DIVIDER:
         return schlick_divided(v, u.result);
-    case FIT_ROM:
-        return schlick_by_table(v);
     case FIT_POWER:
         return v.exponent % 16 ? burnish_cosine_power_q15(v.exponent % 16, v.cosine) : 0xFFFFu;
     case FIT_COMPOSITE: {

@@ -165,7 +165,6 @@ double real_lobe(const unit &u, const vector &v, double lambda) {
         value = pow(1 - lambda, u.which == FIT_COMPOSITE && u.order > 1 ? u.order : n);
         break;
     case FIT_DIVIDER:
-    case FIT_ROM:
         value = (1 - lambda) / (n - n * (1 - lambda) + 1 - lambda);
         break;
     default: {
