@@ -38,8 +38,7 @@ int cli_find_program(const char *name, char path[CLI_PATH_SIZE]);
 
 /* Runs another program instead of this one, with words that end with NULL, the first of which is
  * its name. Returns its exit code on Windows; elsewhere it returns only -1, if that fails, and sets
- * errno.
- */
+ * errno. */
 int cli_run_instead(const char *path, char **words);
 
 #ifdef _WIN32

@@ -30,8 +30,7 @@ typedef struct input {
     burnish_composite_q15 composite, power;
 } input;
 
-/* ---- The same in floating point -----------------------------------------------------------------
- */
+/* ---- The same in floating point ---- */
 
 #ifdef WITH_FLOAT
 static inline uint16_t float_taylor(float exponent, uint16_t cosine) {

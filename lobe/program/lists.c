@@ -47,8 +47,7 @@ static int read_span(const char *item, size_t length, span *result) {
 }
 
 /* Adds the numbers of a span, or counts them if items is NULL. Every number is computed from the
- * first one, so rounding errors do not accumulate; a small tolerance includes the last one.
- */
+ * first one, so rounding errors do not accumulate; a small tolerance includes the last one. */
 static size_t expand(const span *range, double *items, size_t room) {
     size_t count = 0;
     double value = range->from;

@@ -165,8 +165,7 @@ static void check_reference(void) {
     }
 }
 
-/* ---- Accuracy for any exponent ------------------------------------------------------------------
- */
+/* ---- Accuracy for any exponent ---- */
 
 /* The bounds of lobe.h at random exponents, fits and cosines where the lobe is not 0. */
 static void check_accuracy(void) {
@@ -205,8 +204,7 @@ static void check_accuracy(void) {
     }
 }
 
-/* ---- Making lobes -------------------------------------------------------------------------------
- */
+/* ---- Making lobes ---- */
 
 static int is_dark(burnish_lobe lobe) {
     return lobe.zeta == 0 && lobe.order == 0 && burnish_lobe_at_cosine(lobe, 1) == 0 &&
@@ -308,8 +306,7 @@ static void check_status_texts(void) {
     CHECK_TEXT(burnish_lobe_status_text((burnish_lobe_status)1000), "unknown status");
 }
 
-/* ---- Evaluating lobes ---------------------------------------------------------------------------
- */
+/* ---- Evaluating lobes ---- */
 
 static burnish_lobe make(burnish_lobe_fit fit, int order, float exponent) {
     burnish_lobe lobe;
@@ -374,8 +371,7 @@ static void check_cutoff(void) {
     CHECK1(burnish_lobe_cutoff_cosine(wide) == -3 && burnish_lobe_at_cosine(wide, -1) == 0.25f);
 }
 
-/* ---- Composite lobes ----------------------------------------------------------------------------
- */
+/* ---- Composite lobes ---- */
 
 static int is_dark_composite(burnish_composite lobe) {
     return lobe.multiplications == 0 && burnish_composite_at_cosine(lobe, 1) == 0 &&

@@ -1,5 +1,4 @@
-/* Exact values of the lobes in double precision. Uses libm, so no image may depend on it.
- */
+/* Exact values of the lobes in double precision. Uses libm, so no image may depend on it. */
 #include <math.h>
 
 #include "base/arithmetic.h"

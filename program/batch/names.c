@@ -19,8 +19,7 @@ const char *batch_view_name(const batch *b, const batch_item *item) {
 enum { NAME_MAX_BYTES = 4000 };
 
 /* How much of the input's name is in the output's: first what the template names. While two inputs
- * share an output, the extension is added ("part.stl.png"), then all folders, then both.
- */
+ * share an output, the extension is added ("part.stl.png"), then all folders, then both. */
 enum { LEVEL_PLAIN, LEVEL_EXTENSION, LEVEL_FOLDERS, LEVEL_BOTH, LEVELS };
 
 /* A name under construction; size is NAME_MAX_BYTES if it is too long. */

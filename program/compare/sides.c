@@ -276,8 +276,7 @@ static void describe_side(comparison *c, int i) {
     snprintf(side->cell.label, sizeof side->cell.label, "%s", "the picture");
 }
 
-/* Both sides have the up axis of the first mesh, for the camera and ambient occlusion.
- */
+/* Both sides have the up axis of the first mesh, for the camera and ambient occlusion. */
 static void choose_up(comparison *c) {
     const int first = compare_is_mesh(&c->sides[0]) ? 0 : 1;
     const burnish_mesh *mesh = c->sides[first].result.mesh;

@@ -49,8 +49,7 @@ burnish_status serve_import(const char *input, int format, uint64_t offset, uint
 enum { SERVE_PENDING, SERVE_ENDED, SERVE_IMPORT, SERVE_INVALID };
 int serve_receive_import(int channel, serve_import_request *import);
 
-/* Runs an importer in a forked process, with the descriptors of a worker.
- */
+/* Runs an importer in a forked process, with the descriptors of a worker. */
 __attribute__((noreturn)) void serve_run_importer(const serve_settings *settings,
                                                   const serve_import_request *import,
                                                   uint64_t request_size);

@@ -1,8 +1,7 @@
 /* Dimensions: the lengths of the bounding box, as in technical drawings. A dimension line is
  * parallel to an edge on the outline of the box on the screen, outside the box. Extension lines
  * lead there from the ends of the edge. The number is upright, in a gap of the line or next to a
- * line that is too short.
- */
+ * line that is too short. */
 #include "annotate/annotate.h"
 
 /* Of the height of a capital. */

@@ -145,31 +145,24 @@ static void check_hidden_share(void) {
     burnish_mesh_destroy(box);
 }
 
-/* One renderer and image for pictures of several sizes, with alpha and without: as new ones. */
+/* Only what is asked for is counted; a drawing that fails leaves no pixels of the one before. */
 static void check_renderer(burnish_mesh *sphere) {
     burnish_renderer *renderer = make_renderer(NULL);
     burnish_image image = {0};
-    for (int i = 0; i < 12; ++i) {
-        static const int SIZES[] = {131, 64, 200, 64};
-        burnish_render_options options = front_options(SIZES[i % 4], SIZES[i / 2 % 4], 0);
-        burnish_render_report report;
-        options.transparent = i % 7 == 3;
-        options.counts = (burnish_counts)(i % 3);
+    burnish_render_options options = front_options(64, 64, 2.2);
+    burnish_render_report report;
+    for (int i = 0; i < 3; ++i) {
+        options.counts = (burnish_counts)i;
         CHECK1(burnish_renderer_draw(renderer, sphere, &options, &image, &report, NULL) ==
                BURNISH_STATUS_OK);
-        CHECK(burnish_image_hash(&image) == hash_drawn(sphere, &options) &&
-                  image.channels == 3 + options.transparent && image.width == options.width,
-              "frame %d: other pixels", i);
         CHECK((report.covered_pixels > 0) == (options.counts != BURNISH_COUNTS_NONE) &&
                   (report.triangles_drawn > 0) == (options.counts == BURNISH_COUNTS_ALL),
-              "frame %d: counts", i);
+              "counts %d", i);
     }
-    burnish_render_options wrong = front_options(64, 64, 2.2);
-    wrong.samples = 3;
-    CHECK(burnish_renderer_draw(renderer, sphere, &wrong, &image, NULL, NULL) ==
-                  BURNISH_STATUS_ARGUMENT &&
-              !image.pixels,
-          "an error empties the image");
+    options.samples = 3;
+    CHECK1(burnish_renderer_draw(renderer, sphere, &options, &image, NULL, NULL) ==
+               BURNISH_STATUS_ARGUMENT &&
+           !image.pixels);
     burnish_renderer_destroy(renderer);
 }
 

@@ -288,8 +288,7 @@ static burnish_status reference_tile_create(reference_tile *tile, int samples,
 }
 
 /* Makes the tile (column, row) current and draws the triangles of some indices; 0 when there are
- * none.
- */
+ * none. */
 static int reference_draw_indices(reference_tile *tile, const burnish_raster_view *view,
                                   const burnish_geometry *geometry, int column, int row,
                                   const uint32_t *indices, size_t primitive_count) {

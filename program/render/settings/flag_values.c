@@ -80,8 +80,7 @@ burnish_status render_flag_never(const cli_flag *flag, const char *text, void *t
     return BURNISH_STATUS_OK;
 }
 
-/* Copies the next item of a list. An item that is too long is cut, and no parser accepts it.
- */
+/* Copies the next item of a list. An item that is too long is cut, and no parser accepts it. */
 static void copy_item(const char **text, char *copy, size_t size) {
     const char *item;
     size_t length = cli_next_item(text, ',', &item);

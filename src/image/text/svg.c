@@ -51,8 +51,7 @@ static void put_color(svg *w, const uint8_t color[3]) {
 }
 
 /* A line as a move to its first point and relative steps; points that rounding makes equal are
- * skipped.
- */
+ * skipped. */
 static void put_line(svg *w, const float *p, size_t count) {
     int32_t x = burnish_to_hundredths(p[0]), y = burnish_to_hundredths(p[1]);
     const int32_t start_x = x, start_y = y;

@@ -130,8 +130,7 @@ static burnish_status check_count(burnish_reader *reader, size_t *count) {
     }
     const size_t used = HEADER_SIZE + *count * FACET_SIZE;
     if (used < input->size) {
-        /* for a streamed file, only the head is in memory, and the warning causes a full reading
-         */
+        /* for a streamed file, only the head is in memory, and the warning causes a full reading */
         burnish_reader_warn(reader, input->bytes + (input->streamed ? 0 : used),
                             "%zu bytes after the last triangle were ignored", input->size - used);
     }
