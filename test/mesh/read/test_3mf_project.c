@@ -322,6 +322,29 @@ static void test_one_plate(void) {
                 BURNISH_STATUS_ARGUMENT, "mesh.3mf: plate 2 does not exist; its plates are 1 to 7");
 }
 
+/* Parts that only other plates use are not read: a damaged one does not matter. An item that no
+ * plate lists may be on any. */
+static void test_parts_of_plate(void) {
+    burnish_load_options options = burnish_load_options_default();
+    zip_list *zip = begin_project(
+        MODEL("<object id='1'><components><component p:path='/bad.model' objectid='1'/>"
+              "</components></object>" COMPONENTS(COMPONENT("1")),
+              "<item objectid='1'/><item objectid='9'" AT("120", "10")),
+        "<config>" PLATE("1", "0") "<plate/></config>",
+        "{'filament_colour':['#FF0000'],'printable_area':['0x0','100x0','100x200','0x200']}");
+    put_part_text(zip, "3D/b.model", quoted_text(MODEL(OBJECT("1", "model"), "")));
+    put_part_text(zip, "bad.model", "<model");
+    end_zip(zip, 0);
+    check_fault(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL),
+                BURNISH_STATUS_FORMAT,
+                "mesh.3mf: bad.model:1: the XML is not well formed (unclosed token); repair the "
+                "file");
+    options.plate = 2;
+    CHECK_OK(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL), fault);
+    CHECK(got.part_count == 1 && got.triangle_count == 4 && got.warning_count == 0, "%zu parts",
+          got.part_count);
+}
+
 /* PrusaSlicer lists no beds: they are squares of 1, 4 and 9, at a distance of their size and a gap.
  */
 static void test_beds(void) {
@@ -533,6 +556,7 @@ int main(int count, char **arguments) {
         RUN(test_joins());
         RUN(test_plates());
         RUN(test_one_plate());
+        RUN(test_parts_of_plate());
         RUN(test_beds());
         RUN(test_undrawn());
         RUN(test_heights());

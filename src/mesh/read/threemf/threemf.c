@@ -158,16 +158,65 @@ const burnish_threemf_resource *burnish_threemf_find(const burnish_threemf *thre
 
 /* ---- Reading ---- */
 
+/* Marks the parts that only other plates than the wanted one use, once the first part is read. Does
+ * nothing where they might matter: without colours for filaments, or with colours by height. */
+static void skip_other_plates(burnish_threemf *threemf) {
+    const int wanted = threemf->reader->input->options->plate;
+    if (wanted == 0 || threemf->filaments.count == 0 || threemf->heights.count > 0) {
+        return;
+    }
+    int need_all = threemf->items.count == 0;
+    for (size_t i = 1; i < threemf->parts.count; ++i) {
+        threemf->parts.items[i].is_skipped = 1;
+    }
+    sort_resources(threemf);
+    for (size_t i = 0; i < threemf->items.count && threemf->status == BURNISH_STATUS_OK; ++i) {
+        const burnish_threemf_placement *item = &threemf->items.items[i];
+        const burnish_threemf_resource *resource =
+            burnish_threemf_find(threemf, 0, item->id, BURNISH_THREEMF_OBJECT);
+        burnish_threemf_object *object =
+            resource && item->part == 0 ? &threemf->objects.items[resource->index] : NULL;
+        const uint32_t plate = object ? burnish_threemf_plate_of(threemf, item->id, object->items++)
+                                      : BURNISH_THREEMF_NONE;
+        if (plate != BURNISH_THREEMF_NONE && threemf->plates.items[plate].number != wanted) {
+            continue;
+        }
+        if (!object && item->part != BURNISH_THREEMF_NONE) {
+            threemf->parts.items[item->part].is_skipped = 0;
+        }
+        for (uint32_t k = 0; object && k < object->component_count; ++k) {
+            const uint32_t part = threemf->components.items[object->first_component + k].part;
+            if (part == 0) { /* may hold others */
+                need_all = 1;
+            } else if (part != BURNISH_THREEMF_NONE) {
+                threemf->parts.items[part].is_skipped = 0;
+            }
+        }
+    }
+    for (size_t i = 0; i < threemf->objects.count; ++i) {
+        threemf->objects.items[i].items = 0;
+    }
+    for (size_t i = 1; i < threemf->parts.count && need_all; ++i) {
+        threemf->parts.items[i].is_skipped = 0;
+    }
+}
+
 static void read_parts(burnish_threemf *threemf) {
     burnish_threemf_color *white = BURNISH_THREEMF_APPEND(threemf, &threemf->colors);
     if (white) {
         memset(white->rgba, 255, sizeof white->rgba);
         find_start(threemf);
     }
+    burnish_threemf_read_project(threemf);
     for (uint32_t i = 0; i < threemf->parts.count && threemf->status == BURNISH_STATUS_OK &&
                          threemf->memory->status == BURNISH_STATUS_OK;
          ++i) {
-        burnish_threemf_read_model(threemf, i);
+        if (!threemf->parts.items[i].is_skipped) {
+            burnish_threemf_read_model(threemf, i);
+        }
+        if (i == 0 && threemf->status == BURNISH_STATUS_OK) {
+            skip_other_plates(threemf);
+        }
     }
     if (threemf->status == BURNISH_STATUS_OK) {
         threemf->status = threemf->memory->status;
@@ -242,8 +291,11 @@ static void read_model(burnish_threemf *threemf) {
     if (threemf->status == BURNISH_STATUS_OK) {
         sort_resources(threemf);
     }
-    if (threemf->status == BURNISH_STATUS_OK && burnish_threemf_read_project(threemf) &&
-        burnish_threemf_mix(threemf)) {
+    if (threemf->status == BURNISH_STATUS_OK) {
+        burnish_threemf_place_project(threemf);
+        threemf->status = threemf->memory->status;
+    }
+    if (threemf->status == BURNISH_STATUS_OK && burnish_threemf_mix(threemf)) {
         burnish_threemf_write_scene(threemf);
         burnish_threemf_settle_values(threemf);
         take_contents(threemf);

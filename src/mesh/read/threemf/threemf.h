@@ -48,7 +48,8 @@
 /* A part of the archive that holds a model. */
 typedef struct burnish_threemf_part {
     const burnish_zip_part *part;
-    char name[84]; /* for messages */
+    char name[84];  /* for messages */
+    int is_skipped; /* 1: the wanted plate does not need it */
 } burnish_threemf_part;
 
 /* As mesh data has them. */
@@ -305,8 +306,11 @@ int burnish_threemf_put_lattice(burnish_threemf *threemf, burnish_threemf_object
 
 /* ---- threemf_project.c ---- */
 
-/* Reads the files of slicers, and gives the objects their settings. Returns 0 on failure. */
-int burnish_threemf_read_project(burnish_threemf *threemf);
+/* Reads the files of slicers. */
+void burnish_threemf_read_project(burnish_threemf *threemf);
+
+/* Gives the objects their settings, once all parts have been read. */
+void burnish_threemf_place_project(burnish_threemf *threemf);
 
 /* The filament of a part that states this one: the first for a number that does not exist; 0
  * without filaments. */

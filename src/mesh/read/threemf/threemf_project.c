@@ -343,7 +343,7 @@ uint32_t burnish_threemf_plate_of(const burnish_threemf *threemf, uint32_t objec
     return found ? found->plate : BURNISH_THREEMF_NONE;
 }
 
-int burnish_threemf_read_project(burnish_threemf *threemf) {
+void burnish_threemf_read_project(burnish_threemf *threemf) {
     read_file(threemf, "Metadata/model_settings.config", NULL);
     read_file(threemf, "Metadata/Slic3r_PE_model.config", NULL);
     read_file(threemf, "Metadata/project_settings.config", read_json_settings);
@@ -358,12 +358,11 @@ int burnish_threemf_read_project(burnish_threemf *threemf) {
         qsort(threemf->instances.items, threemf->instances.count, sizeof *threemf->instances.items,
               compare_instances);
     }
+}
+
+void burnish_threemf_place_project(burnish_threemf *threemf) {
     place_settings(threemf);
     invent_filaments(threemf);
-    if (threemf->status == BURNISH_STATUS_OK) {
-        threemf->status = threemf->memory->status;
-    }
-    return threemf->status == BURNISH_STATUS_OK;
 }
 
 #endif

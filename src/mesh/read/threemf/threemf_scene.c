@@ -24,7 +24,8 @@ static void resolve_placement(burnish_threemf *threemf, burnish_threemf_placemen
             ? NULL
             : burnish_threemf_find(threemf, placement->part, placement->id, BURNISH_THREEMF_OBJECT);
     placement->object = resource ? resource->index : BURNISH_THREEMF_NONE;
-    if (!resource && placement->part != BURNISH_THREEMF_NONE) {
+    if (!resource && placement->part != BURNISH_THREEMF_NONE &&
+        (part != 0 || !threemf->parts.items[placement->part].is_skipped)) {
         burnish_reader_note(
             threemf->reader, &threemf->missing, NULL, "%s: object %u does not exist and is ignored",
             burnish_threemf_show(threemf, part, placement->line).text, placement->id);
