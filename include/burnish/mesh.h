@@ -591,6 +591,12 @@ BURNISH_API const burnish_contents *burnish_mesh_get_contents(const burnish_mesh
  * there are none. */
 BURNISH_API const burnish_mesh *burnish_mesh_get_negatives(const burnish_mesh *mesh);
 
+/* The splats of a mesh: itself, or a point cloud next to its triangles, in the same coordinates.
+ * Pictures show both: a pixel's opaque triangle hides splats whose centres are not nearer, and splats
+ * cover transparent triangles. Splats are not parts, have no edges, and cast no shadow. Cameras frame
+ * both, bounds contain both, and cuts change both. NULL: there are none. */
+BURNISH_API const burnish_mesh *burnish_mesh_get_splats(const burnish_mesh *mesh);
+
 /* A box; low is above high if it is empty. */
 typedef struct burnish_box {
     float low[3], high[3];

@@ -179,6 +179,11 @@ static size_t count_transmissive(const burnish_mesh *mesh) {
     return count;
 }
 
+static size_t count_splats(const info_report *r) {
+    const burnish_mesh_view *splats = burnish_mesh_get_view(burnish_mesh_get_splats(r->mesh));
+    return splats ? splats->vertex_count : 0;
+}
+
 cJSON *info_make_json(const info_report *r, int *failed) {
     const burnish_mesh_info *info = burnish_mesh_get_info(r->mesh);
     char extension[IMPORT_EXTENSION_SIZE];
@@ -191,7 +196,7 @@ cJSON *info_make_json(const info_report *r, int *failed) {
     cli_json_add(root, "vertices",
                  r->facts ? cli_json_count(r->facts->vertex_count) : cJSON_CreateNull(), failed);
     cli_json_add(root, "points", cli_json_count(info->point_count), failed);
-    cli_json_add(root, "splats", cli_json_count(r->view->splats ? info->point_count : 0), failed);
+    cli_json_add(root, "splats", cli_json_count(count_splats(r)), failed);
     cli_json_add(root, "lines", cli_json_count(info->line_count), failed);
     cli_json_add(root, "layers", cli_json_count(info->layer_count), failed);
     cli_json_add(root, "thumbnail", cJSON_CreateBool(info->is_thumbnail), failed);
@@ -403,6 +408,9 @@ void info_print_text(FILE *stream, const info_report *r) {
             count == 1 ? "" : "s");
     if (r->facts) {
         fprintf(stream, "%zu vertices, ", r->facts->vertex_count);
+    }
+    if (r->facts && count_splats(r) > 0) {
+        fprintf(stream, "%zu splats, ", count_splats(r));
     }
     fprintf(stream, "%zu material%s\n\n", materials, materials == 1 ? "" : "s");
     print_variants(stream, r->mesh);

@@ -73,8 +73,8 @@ static const cli_term json_terms[] = {
     {"*input, format*", "the format that was read"},
     {"*triangles, vertices*", "of the file, with polygons divided into triangles; equal positions "
                               "are one vertex. 0 and null without faces"},
-    {"*points, splats, lines*", "number of points, of those that are splats, and of lines of an "
-                                "input without faces; then *area* and "
+    {"*points, splats, lines*", "number of points, of splats, which also count with faces, and of "
+                                "lines of an input without faces; then *area* and "
                                 "everything below it, except *origin* and *warnings*, is null"},
     {"*materials*", "after loading: at least 1"},
     {"*transmissive*", "materials through which light passes (glTF)"},

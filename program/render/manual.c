@@ -113,7 +113,8 @@ static const cli_term json_terms[] = {
      "the command info"},
     {"*color_by, color_range*",
      "what *--color-by* names, and the values of the first and the last colour; null without it"},
-    {"*points, splats, lines*", "of an input without faces; splats are points, too"},
+    {"*points, splats, lines*",
+     "of an input without faces; splats, which are points there, also of others"},
     {"*thumbnail*", "true if the picture that a 3MF or G-code file holds is drawn, no geometry"},
     {"*bounding_box, unit*",
      "*min* and *max* of the object, for points and lines without the solids that are drawn; the "

@@ -90,6 +90,11 @@ static burnish_status encode_picture(render_result *result, picture_file *file,
     }
     if (picture_is_drawing(format)) {
         render_sheet sheet;
+        if (burnish_mesh_get_splats(result->mesh)) {
+            render_warn(&result->warnings, 1,
+                        "%.300s: splats are not in drawings; use another format",
+                        settings->input.name);
+        }
         render_list_cells(result, &sheet);
         return render_encode_drawing(result, sheet.cells, sheet.ink, file, error);
     }

@@ -208,9 +208,10 @@ typedef struct view_mesh {
     const burnish_mesh_view *mesh;
     burnish_vec3 middle;
     view_frame frame;
-    double diagonal; /* of the bounds */
-    double radius;   /* of a point cloud's spheres; 0: triangles */
-    int has_strays;  /* 1: vertices outside the bounds are not framed */
+    double diagonal;                /* of the bounds */
+    double radius;                  /* of a point cloud's spheres; 0: triangles */
+    int has_strays;                 /* 1: vertices outside the bounds are not framed */
+    const struct view_mesh *splats; /* framed, too; NULL: none */
     group_bounds *groups;
     size_t group_count;
 } view_mesh;
@@ -299,6 +300,13 @@ static void push_sides(const view_mesh *view, const double t[4], extreme side[4]
     for (int k = 0; k < 4; ++k) { /* spheres reach farther by their radius across the side */
         side[k].value += view->radius * __builtin_sqrt(1 + t[k] * t[k]);
     }
+    if (view->splats) {
+        extreme other[4];
+        push_sides(view->splats, t, other);
+        for (int k = 0; k < 4; ++k) {
+            side[k] = other[k].value > side[k].value ? other[k] : side[k];
+        }
+    }
 }
 
 static void measure_depth(const view_mesh *view, double *near_depth, double *far_depth) {
@@ -311,6 +319,12 @@ static void measure_depth(const view_mesh *view, double *near_depth, double *far
     }
     *near_depth += view->radius;
     *far_depth -= view->radius;
+    if (view->splats) {
+        double near, far;
+        measure_depth(view->splats, &near, &far);
+        *near_depth = near > *near_depth ? near : *near_depth;
+        *far_depth = far < *far_depth ? far : *far_depth;
+    }
 }
 
 /* The position across the view, at distance cz, with room on both sides in the proportion of the
@@ -407,11 +421,22 @@ static burnish_status frame_mesh(const burnish_mesh *mesh, const burnish_framing
                       (double)arrays->point_radius,
                       arrays->point_radius > 0 || mesh->has_strays,
                       NULL,
+                      NULL,
                       0};
+    view_mesh splats = view;
     burnish_memory memory = burnish_memory_of(mesh->context, error);
     burnish_vec3 position;
     double focus, height = 0;
+    if (mesh->splats) {
+        splats.mesh = &mesh->splats->view;
+        splats.radius = (double)splats.mesh->point_radius;
+        splats.has_strays = 1;
+        view.splats = &splats;
+        measure_groups(&splats, &memory);
+    }
     if (measure_groups(&view, &memory) != BURNISH_STATUS_OK) {
+        burnish_release(mesh->context, splats.groups);
+        burnish_release(mesh->context, view.groups);
         return memory.status;
     }
     if (options->orthographic || options->orthographic_height > 0) {
@@ -419,6 +444,7 @@ static burnish_status frame_mesh(const burnish_mesh *mesh, const burnish_framing
     } else {
         frame_perspective(&view, options, &position, &focus);
     }
+    burnish_release(mesh->context, splats.groups);
     burnish_release(mesh->context, view.groups);
     *camera = (burnish_camera){.view_angle = options->view_angle, .orthographic_height = height};
     burnish_vec3_store(to_world(&view, position), camera->position);

@@ -231,9 +231,10 @@ static burnish_status fail_empty(const burnish_mesh *mesh, const burnish_clip_pl
                                  burnish_error *error) {
     const double *n = plane->normal, *o = mesh->view.origin; /* as the file's coordinates have it */
     return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "clip: all of the mesh is beyond the plane %g,%g,%g,%g; negate all four "
+                        "clip: all %s beyond the plane %g,%g,%g,%g; negate all four "
                         "numbers, or change the last one",
-                        n[0], n[1], n[2], plane->offset + n[0] * o[0] + n[1] * o[1] + n[2] * o[2]);
+                        mesh->splats ? "triangles are" : "of the mesh is", n[0], n[1], n[2],
+                        plane->offset + n[0] * o[0] + n[1] * o[1] + n[2] * o[2]);
 }
 
 static burnish_status clip_points(burnish_mesh *mesh, const burnish_clip_plane *plane,
@@ -249,6 +250,17 @@ static burnish_status clip_points(burnish_mesh *mesh, const burnish_clip_plane *
         burnish_mesh_update_view(mesh);
     }
     return BURNISH_STATUS_OK;
+}
+
+/* The mesh keeps its triangles if all splats are beyond the plane. */
+static void clip_splats(burnish_mesh *mesh, const burnish_clip_plane *plane) {
+    burnish_error none;
+    if (mesh->splats && clip_points(mesh->splats, plane, &none) != BURNISH_STATUS_OK) {
+        burnish_mesh_destroy(mesh->splats);
+        mesh->splats = NULL;
+    } else if (mesh->splats) {
+        mesh->splats->view.cut_count = 0; /* its cuts are the mesh's */
+    }
 }
 
 /* ---- The whole ---- */
@@ -416,6 +428,10 @@ burnish_status burnish_mesh_clip(burnish_mesh *mesh, const burnish_clip_plane *p
             status = fail_empty(mesh, plane, error);
         }
     }
+    if (status == BURNISH_STATUS_OK && !cut.cuts_something && mesh->splats) {
+        clip_splats(mesh, plane);
+        burnish_mesh_update_view(mesh);
+    }
     if (status != BURNISH_STATUS_OK || !cut.cuts_something) {
         release_result(&cut);
         return status;
@@ -437,6 +453,7 @@ burnish_status burnish_mesh_clip(burnish_mesh *mesh, const burnish_clip_plane *p
     if (status == BURNISH_STATUS_OK) {
         view->inside = inside;
         view->cuts[view->cut_count++] = *plane;
+        clip_splats(mesh, plane);
         exchange_result(mesh, &cut);
     }
     release_result(&cut);

@@ -231,7 +231,72 @@ static void test_spz_versions(void) {
     }
 }
 
+/* A square to the left of x = 0 hides what is behind it unless it is glass; in front of it, and to the
+ * right of it, splats are what they are alone. */
+static void check_among_triangles(int is_glass, burnish_isa isa) {
+    const splat two[2] = {{{0, 9, 5}, {4, 4, 4}, {255, 0, 0, 128}, {255, 128, 128, 128}},
+                          {{0, -9, -5}, {4, 4, 4}, {0, 0, 255, 204}, {255, 128, 128, 128}}};
+    const float square[18] = {-50, -50, 0, 0, -50, 0, 0, 50, 0, -50, -50, 0, 0, 50, 0, -50, 50, 0};
+    byte_list binary = {.size = 0}, file = {.size = 0};
+    char json[1000];
+    put_floats(&binary, 18, square);
+    put_floats(&binary, 3, two[0].position);
+    put_floats(&binary, 3, two[1].position);
+    put_floats(&binary, 3, two[0].scale);
+    put_floats(&binary, 3, two[1].scale);
+    for (int i = 0; i < 8; ++i) {
+        put_float(&binary, (float)two[i / 4].color[i % 4] / 255, 0);
+    }
+    snprintf(json, sizeof json,
+             "$head'buffers':[{'byteLength':152}],'bufferViews':[{'buffer':0,'byteLength':152}],"
+             "'accessors':[$part(0,5126,6,VEC3),$part(72,5126,2,VEC3),$part(96,5126,2,VEC3),"
+             "$part(120,5126,2,VEC4)],'materials':[{'alphaMode':'%s','pbrMetallicRoughness':"
+             "{'baseColorFactor':[0,1,0,0.5]},'extensions':{'KHR_materials_unlit':{}}}],'meshes':"
+             "[{'primitives':[{'attributes':{'POSITION':0},'material':0},{'attributes':{'POSITION'"
+             ":1,'SCALE':2,'COLOR_0':3},'mode':0,'extensions':{'KHR_gaussian_splatting':{}}}]}],"
+             "$node}",
+             is_glass ? "BLEND" : "OPAQUE");
+    put_glb(&file, json, &binary);
+    OWNED_MESH *mesh = load_bytes(file.bytes, file.size, "a.glb", NULL);
+    burnish_render_options options = make_options();
+    burnish_render_report report;
+    options.transparent = 0;
+    options.kernels = burnish_kernels_for(isa);
+    burnish_image image = draw_image(mesh, &options, &report);
+    double worst = 0;
+    for (int i = 0; i < SIDE * SIDE; ++i) {
+        const int is_left = i % SIDE < SIDE / 2;
+        const double hidden = is_left && !is_glass ? 0 : 1;
+        const double red = alpha_at(&two[0], 0, i % SIDE, i / SIDE),
+                     blue = hidden * alpha_at(&two[1], 0, i % SIDE, i / SIDE);
+        const double through = (1 - red) * (1 - blue); /* glass: half of white in linear light */
+        const double back = !is_left ? 255 : is_glass ? 188 : 0;
+        worst = fmax(worst, fabs(image.pixels[3 * i] - (255 * red + through * back)));
+        worst =
+            fmax(worst, fabs(image.pixels[3 * i + 2] - (255 * blue * (1 - red) + through * back)));
+    }
+    CHECK(worst < 1.2, "among triangles: off by %g", worst);
+    CHECK1(report.covered_pixels > SIDE * SIDE / 2 && report.covered_pixels < SIDE * SIDE &&
+           report.bounds[0] == 0 && report.bounds[2] < SIDE && report.bounds[2] > SIDE / 2 + 5);
+    burnish_image_destroy(&image);
+    float low[3], high[3];
+    burnish_mesh_get_bounds(mesh, low, high);
+    CHECK1(low[0] == -50 && low[2] == -5 && high[0] == 0 && high[2] == 5);
+    const burnish_clip_plane plane = {{0, 0, 1}, 1};
+    burnish_error error = {0};
+    CHECK_OK(burnish_mesh_clip(mesh, &plane, &error), error);
+    const burnish_mesh_view *left = burnish_mesh_get_view(burnish_mesh_get_splats(mesh));
+    CHECK1(left && left->vertex_count == 1 && left->positions[2] == -5);
+    burnish_mesh_get_bounds(mesh, low, high);
+    CHECK1(high[2] == 0);
+}
+
 int main(void) {
+    for (burnish_isa isa = BURNISH_ISA_SCALAR; isa < BURNISH_ISA_COUNT; ++isa) {
+        for (int is_glass = 0; is_glass < 2 && burnish_kernels_for(isa); ++is_glass) {
+            check_among_triangles(is_glass, isa);
+        }
+    }
     test_spz_versions();
     check_packed(0, 1);
     check_packed(0, 0);

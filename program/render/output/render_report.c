@@ -180,6 +180,7 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     const burnish_mesh *mesh = result->mesh;
     const burnish_mesh_info *info = burnish_mesh_get_info(mesh);
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    const burnish_mesh_view *splats = burnish_mesh_get_view(burnish_mesh_get_splats(mesh));
     char extension[IMPORT_EXTENSION_SIZE];
     const char *format = import_format_word(settings->input.name, settings->input.load.format,
                                             info->format, extension);
@@ -206,7 +207,7 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     cli_json_add(root, "triangles", cli_json_count(view->triangle_count), failed);
     cli_json_add(root, "vertices", cli_json_count(view->vertex_count), failed);
     cli_json_add(root, "points", cli_json_count(info->point_count), failed);
-    cli_json_add(root, "splats", cli_json_count(view->splats ? info->point_count : 0), failed);
+    cli_json_add(root, "splats", cli_json_count(splats ? splats->vertex_count : 0), failed);
     cli_json_add(root, "lines", cli_json_count(info->line_count), failed);
     cli_json_add(root, "thumbnail", cJSON_CreateBool(info->is_thumbnail), failed);
     const size_t materials = burnish_mesh_get_material_count(mesh);

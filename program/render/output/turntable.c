@@ -100,8 +100,11 @@ typedef struct slice {
     double radius, low, high; /* radius -1: no vertex */
 } slice;
 
-static void measure_slices(const burnish_mesh_view *view, const double axis[3],
-                           const double pivot[3], slice slices[SLICES]) {
+static void measure_slices(const burnish_mesh *mesh, const double axis[3], const double pivot[3],
+                           slice slices[SLICES]) {
+    const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
+    const burnish_mesh_view *splats = burnish_mesh_get_view(burnish_mesh_get_splats(mesh));
+    const size_t count = view->vertex_count;
     double low = 0, high = 0, diagonal = 0;
     for (int corner = 0; corner < 8; ++corner) {
         double p[3];
@@ -117,10 +120,12 @@ static void measure_slices(const burnish_mesh_view *view, const double axis[3],
         slices[i] = (slice){-1, 0, 0};
     }
     const double scale = high > low ? SLICES / (high - low) : 0;
-    for (size_t i = 0; i < view->vertex_count; ++i) {
-        double p[3];
-        for (int k = 0; k < 3; ++k) {
-            p[k] = (double)view->positions[3 * i + (size_t)k] - pivot[k];
+    for (size_t i = 0; i < count + (splats ? splats->vertex_count : 0); ++i) {
+        const float *at = i < count ? view->positions + 3 * i : splats->positions + 3 * (i - count);
+        const double p[3] = {(double)at[0] - pivot[0], (double)at[1] - pivot[1],
+                             (double)at[2] - pivot[2]};
+        if (i >= count && dot(p, p) > diagonal) {
+            continue; /* surroundings that are not framed */
         }
         const double height = dot(p, axis), squared = dot(p, p) - height * height;
         int index = (int)((height - low) * scale);
@@ -178,7 +183,7 @@ static burnish_status sweep(const burnish_mesh *mesh, const double axis[3], cons
         return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory: the turntable");
     }
     s->discs = 0;
-    measure_slices(burnish_mesh_get_view(mesh), axis, pivot, slices);
+    measure_slices(mesh, axis, pivot, slices);
     for (int i = 0; i < SLICES; ++i) {
         if (slices[i].radius >= 0) {
             add_disc(s, axis, pivot, slices[i].radius, slices[i].low);

@@ -208,6 +208,9 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
     }
     burnish_status status = build_steps(&b);
     burnish_build_release_corners(&b, 0);
+    if (status == BURNISH_STATUS_OK && data->splats) {
+        status = burnish_mesh_build(data->splats, name, options, format, &b.mesh->splats);
+    }
     if (status != BURNISH_STATUS_OK) {
         burnish_mesh_destroy(b.mesh);
         return status;

@@ -44,14 +44,27 @@ void burnish_mesh_data_destroy(burnish_mesh_data *mesh) {
     burnish_release(context, mesh->materials);
     burnish_release(context, mesh->triangle_materials);
     burnish_release(context, mesh->triangle_parts);
-    if (mesh->negatives) {
-        burnish_mesh_data_destroy(mesh->negatives);
-        burnish_release(context, mesh->negatives);
+    struct burnish_mesh_data *const more[2] = {mesh->negatives, mesh->splats};
+    for (int i = 0; i < 2; ++i) {
+        if (more[i]) {
+            burnish_mesh_data_destroy(more[i]);
+            burnish_release(context, more[i]);
+        }
     }
     burnish_release(context, mesh->parts);
     burnish_release(context, mesh->plates);
     burnish_release(context, mesh->filaments);
     *mesh = (burnish_mesh_data){.memory = mesh->memory, .tasks = mesh->tasks, .start = mesh->start};
+}
+
+burnish_mesh_data *burnish_mesh_data_add_splats(burnish_mesh_data *mesh) {
+    burnish_memory *memory = &mesh->memory;
+    mesh->splats = burnish_allocate_zeroed(memory, 1, sizeof *mesh->splats, "splats");
+    if (mesh->splats) {
+        *mesh->splats = burnish_mesh_data_begin(memory->context, mesh->tasks, memory->error);
+        memcpy(mesh->splats->origin, mesh->origin, sizeof mesh->origin);
+    }
+    return mesh->splats;
 }
 
 static const char *const item_names[BURNISH_ATTRIBUTE_COUNT] = {

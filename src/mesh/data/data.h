@@ -72,6 +72,7 @@ typedef struct burnish_mesh_data {
     uint16_t *triangle_parts; /* the same for parts */
     size_t triangle_part_capacity;
     struct burnish_mesh_data *negatives; /* volumes to be subtracted: triangles with their parts */
+    struct burnish_mesh_data *splats;    /* next to triangles: a point cloud */
     burnish_part *parts;                 /* burnish_contents, with room for more */
     size_t part_count, part_capacity;
     burnish_plate *plates;
@@ -117,6 +118,9 @@ static inline burnish_mesh_data burnish_mesh_data_begin(const burnish_context *c
 }
 
 void burnish_mesh_data_destroy(burnish_mesh_data *mesh);
+
+/* Gives the mesh empty data for splats in its coordinates; NULL if memory is out. */
+burnish_mesh_data *burnish_mesh_data_add_splats(burnish_mesh_data *mesh);
 
 /* Releases the values and corners of one attribute. */
 void burnish_mesh_data_drop(burnish_mesh_data *mesh, burnish_attribute attribute);

@@ -203,6 +203,14 @@ void burnish_mesh_update_view(burnish_mesh *mesh) {
     if (view->point_radius > 0 || mesh->has_strays) {
         bound_framed(mesh);
     }
+    memcpy(mesh->faces_min, view->bounds_min, sizeof mesh->faces_min);
+    memcpy(mesh->faces_max, view->bounds_max, sizeof mesh->faces_max);
+    for (int k = 0; k < 3 && mesh->splats; ++k) {
+        const burnish_mesh_view *splats = &mesh->splats->view;
+        float *low = &view->bounds_min[k], *high = &view->bounds_max[k];
+        *low = splats->bounds_min[k] < *low ? splats->bounds_min[k] : *low;
+        *high = splats->bounds_max[k] > *high ? splats->bounds_max[k] : *high;
+    }
 }
 
 /* ---- access ---- */
@@ -225,6 +233,7 @@ void burnish_mesh_destroy(burnish_mesh *mesh) {
     burnish_release(context, mesh->triangle_materials);
     burnish_release(context, mesh->triangle_parts);
     burnish_mesh_destroy(mesh->negatives);
+    burnish_mesh_destroy(mesh->splats);
     burnish_release(context, (void *)(uintptr_t)mesh->contents.parts);
     burnish_release(context, (void *)(uintptr_t)mesh->contents.plates);
     burnish_release(context, (void *)(uintptr_t)mesh->contents.filaments);
@@ -248,12 +257,17 @@ const burnish_mesh_facts *burnish_mesh_get_facts(const burnish_mesh *mesh) {
 void burnish_mesh_get_bounds(const burnish_mesh *mesh, float low[3], float high[3]) {
     const int are_points = mesh && (mesh->view.point_radius > 0 || mesh->has_strays);
     for (int k = 0; k < 3; ++k) {
-        low[k] = !mesh ? 0 : are_points ? mesh->points_min[k] : mesh->view.bounds_min[k];
-        high[k] = !mesh ? 0 : are_points ? mesh->points_max[k] : mesh->view.bounds_max[k];
+        low[k] = !mesh ? 0 : are_points ? mesh->points_min[k] : mesh->faces_min[k];
+        high[k] = !mesh ? 0 : are_points ? mesh->points_max[k] : mesh->faces_max[k];
         if (mesh && (mesh->info.line_count > 0 ||
                      mesh->has_beside)) { /* inside the rods, unless a cut left less */
             low[k] = low[k] < mesh->points_min[k] ? mesh->points_min[k] : low[k];
             high[k] = high[k] > mesh->points_max[k] ? mesh->points_max[k] : high[k];
+        }
+        if (mesh && mesh->splats) {
+            const burnish_mesh *splats = mesh->splats;
+            low[k] = low[k] > splats->points_min[k] ? splats->points_min[k] : low[k];
+            high[k] = high[k] < splats->points_max[k] ? splats->points_max[k] : high[k];
         }
     }
 }
@@ -280,6 +294,10 @@ const burnish_contents *burnish_mesh_get_contents(const burnish_mesh *mesh) {
 
 const burnish_mesh *burnish_mesh_get_negatives(const burnish_mesh *mesh) {
     return mesh ? mesh->negatives : NULL;
+}
+
+const burnish_mesh *burnish_mesh_get_splats(const burnish_mesh *mesh) {
+    return mesh && mesh->view.splats ? mesh : mesh ? mesh->splats : NULL;
 }
 
 const char *burnish_part_role_name(burnish_part_role role) {

@@ -13,6 +13,7 @@ struct burnish_mesh {
     float inner_min[3], inner_max[3];   /* as in burnish_mesh_data */
     int has_beside;                     /* 1: lines or points beside faces */
     float points_min[3], points_max[3]; /* the same; of a point cloud, of what a cut has left */
+    float faces_min[3], faces_max[3];   /* with splats: the bounds without them */
     const burnish_context *context;     /* allocates all arrays */
 
     void *attributes[BURNISH_ATTRIBUTE_COUNT]; /* vertex_count items each; NULL: none */
@@ -20,6 +21,7 @@ struct burnish_mesh {
     uint16_t *triangle_materials, *triangle_parts;
     burnish_contents contents; /* its arrays are owned */
     burnish_mesh *negatives;   /* NULL: none */
+    burnish_mesh *splats;      /* NULL: none; only of a mesh with triangles */
 
     burnish_material *materials;
     size_t material_count;

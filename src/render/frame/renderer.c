@@ -77,12 +77,12 @@ static burnish_status draw_checked(burnish_renderer *renderer, const burnish_mes
                                   NULL, 0},
                          .solid = burnish_mesh_get_view(mesh),
                          .options = &resolved,
+                         .splats = burnish_mesh_get_view(burnish_mesh_get_splats(mesh)),
                          .target = *target,
                          .counts = report ? options->counts : BURNISH_COUNTS_NONE,
                          .memory = burnish_memory_of(renderer->context, error)};
     burnish_mesh_view background = *call.solid;
     if (background.splats) { /* they have no light, and the rest draws nothing behind them */
-        call.splats = call.solid;
         background.vertex_count = background.triangle_count = 0;
         background.point_radius = 0;
         call.solid = call.mesh.view = &background;

@@ -163,6 +163,7 @@ static burnish_status draw_tiles(burnish_call *d) {
                    .ground = d->report.ground ? &d->view.ground : NULL,
                    .backdrop = d->options->background_environment ? &backdrop : NULL,
                    .outline = d->outline,
+                   .surface = d->surface,
                    .own_triangles = d->solid->triangle_count,
                    .hosts = carving_of(d) ? renderer->carving.hosts : NULL},
         .carving = carving_of(d),
@@ -190,7 +191,7 @@ static burnish_status draw_outline_row(const burnish_call *d, int y) {
     options.first_row = y;
     options.row_count = 1;
     row.options = &options;
-    row.target = burnish_target_default();
+    row.target = row.surface = burnish_target_default();
     row.counts = BURNISH_COUNTS_NONE;
     return draw_tiles(&row);
 }
@@ -238,7 +239,7 @@ static burnish_status find_picture_lines(const burnish_call *d) {
     burnish_call whole = *d;
     options.first_row = options.row_count = 0;
     whole.options = &options;
-    whole.target = burnish_target_default();
+    whole.target = whole.surface = burnish_target_default();
     whole.counts = BURNISH_COUNTS_NONE;
     burnish_status status = burnish_line_art_planes(art, &options, &whole.target, &whole.memory);
     if (status == BURNISH_STATUS_OK) {
@@ -284,17 +285,32 @@ static burnish_tones tones_of(const burnish_render_options *options, const burni
         .exposure = (float)(1 + burnish_expm1(exponent))};
 }
 
-/* Splats over the background. */
+/* Planes of the opaque triangles among which splats are. */
+static burnish_status reserve_surface(burnish_call *d) {
+    const burnish_row_range rows = burnish_drawn_rows(d->options);
+    const size_t width = (size_t)d->options->width;
+    d->surface.depth = burnish_allocate(&d->memory, width * (size_t)(rows.end - rows.first),
+                                        sizeof(float) + 1, "depths for splats");
+    d->surface.depth_stride = width * sizeof(float);
+    d->surface.coverage = (uint8_t *)(d->surface.depth + width * (size_t)(rows.end - rows.first));
+    d->surface.coverage_stride = width;
+    return d->memory.status;
+}
+
+/* Splats over the background and among triangles. */
 static burnish_status draw_splats(burnish_call *d) {
     const burnish_row_range rows = burnish_drawn_rows(d->options);
-    const burnish_splat_call call = {.mesh = d->splats,
-                                     .view = &d->view.raster,
-                                     .target = &d->target,
-                                     .ops = d->view.shading.ops,
-                                     .first_row = rows.first,
-                                     .end_row = rows.end,
-                                     .transparent = d->options->transparent,
-                                     .max_overdraw = overdraw_limit(d)};
+    const burnish_splat_call call = {
+        .mesh = d->splats,
+        .view = &d->view.raster,
+        .target = &d->target,
+        .surface = &d->surface,
+        .depth_scale = {d->view.distance.constant, d->view.distance.slope},
+        .ops = d->view.shading.ops,
+        .first_row = rows.first,
+        .end_row = rows.end,
+        .transparent = d->options->transparent,
+        .max_overdraw = overdraw_limit(d)};
     return burnish_splats_draw(&call, &d->report, &d->renderer->tasks, &d->memory);
 }
 
@@ -342,6 +358,9 @@ burnish_status burnish_call_run(burnish_call *d) {
         d->report.seconds_transform = burnish_seconds_now() - start;
     }
     const int has_edges = d->options->edges && d->report.triangles > 0;
+    if (status == BURNISH_STATUS_OK && d->splats && d->report.triangles > 0) {
+        status = reserve_surface(d);
+    }
     if (status != BURNISH_STATUS_OK || !has_edges) {
         memset(&renderer->line_art.lines, 0, sizeof renderer->line_art.lines);
         renderer->has_picture_lines = 0;
@@ -352,6 +371,7 @@ burnish_status burnish_call_run(burnish_call *d) {
     if (status == BURNISH_STATUS_OK && d->splats) {
         status = draw_splats(d);
     }
+    burnish_release(d->memory.context, d->surface.depth);
     if (status == BURNISH_STATUS_OK) {
         d->report.seconds_draw = burnish_seconds_now() - start - d->report.seconds_transform;
     }

@@ -90,7 +90,8 @@ typedef struct burnish_call {
     burnish_renderer *renderer;
     burnish_drawn_mesh mesh;
     const burnish_mesh_view *solid;  /* its view, without negative volumes */
-    const burnish_mesh_view *splats; /* drawn over a mesh without anything; NULL: none */
+    const burnish_mesh_view *splats; /* drawn over the rest; NULL: none */
+    burnish_target surface; /* depth and coverage of opaque triangles for splats, or NULL */
     const burnish_render_options *options;
     burnish_target target;
     burnish_counts counts;

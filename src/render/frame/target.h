@@ -70,7 +70,8 @@ typedef struct burnish_output {
     const burnish_render_ops *ops;
     const burnish_srgb_encoder *encoder;
     const burnish_view *view;
-    int has_planes; /* 1: the target has planes */
+    int has_planes;         /* 1: the target has planes */
+    burnish_target surface; /* receives depth and coverage of opaque triangles, or has NULL */
     int samples;
     int transparent;           /* 1: alpha is coverage, and the background is empty */
     float limit;               /* a fragment's light is clamped to it before samples are mixed */

@@ -262,10 +262,10 @@ static void draw_tile(const burnish_frame *frame, const burnish_bins *bins,
     }
 }
 
-/* Planes show the nearest triangle whether it is transparent or not, so where there is transparency
- * they are drawn for themselves, as if there were none. */
-static void draw_transparent_tile(const burnish_frame *frame, const burnish_bins *bins,
-                                  burnish_tile_worker *worker, int column, int row) {
+/* Planes show the nearest triangle whether it is transparent or not, so where there is transparency,
+ * or opaque triangles have planes of their own, they are drawn for themselves, as if there were none. */
+static void draw_tile_twice(const burnish_frame *frame, const burnish_bins *bins,
+                            burnish_tile_worker *worker, int column, int row) {
     burnish_frame part = *frame;
     if (frame->output.has_planes) {
         part.surface.transparency = NULL;
@@ -275,8 +275,10 @@ static void draw_transparent_tile(const burnish_frame *frame, const burnish_bins
         part.drawn = NULL;
         draw_tile(&part, bins, worker, column, row);
         part = *frame;
-        part.output.has_planes = 0;
     }
+    part.output.has_planes = frame->output.surface.depth != NULL;
+    part.output.target = frame->output.surface;
+    part.output.target.pixels = frame->output.target.pixels;
     draw_tile(&part, bins, worker, column, row);
 }
 
@@ -316,8 +318,9 @@ static void report_progress(frame_context *context, int thread) {
 
 static void draw_tile_task(void *from, int column, int row, int thread) {
     frame_context *context = from;
-    (context->frame->surface.transparency ? draw_transparent_tile : draw_tile)(
-        context->frame, context->bins, &context->workers[thread], column, row);
+    const burnish_frame *frame = context->frame;
+    (frame->surface.transparency || frame->output.surface.depth ? draw_tile_twice : draw_tile)(
+        frame, context->bins, &context->workers[thread], column, row);
     report_progress(context, thread);
 }
 

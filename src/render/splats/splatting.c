@@ -6,7 +6,7 @@
 #include "burnish/lobe.h"
 #include "core/srgb.h"
 
-enum { BAND_ROWS = 16, GRAIN = 1 << 12, LARGE_AREA = 256 };
+enum { BAND_ROWS = 16, PLANES = 6 /* of a band */, GRAIN = 1 << 12, LARGE_AREA = 256 };
 
 /* Opacity that no 8 bits show. */
 #define FAINTEST 0x1p-11f
@@ -142,7 +142,9 @@ static size_t project_splat(const painter *p, size_t number, burnish_splat_item 
                                  .slope = (float)(xy / yy),
                                  .a = (float)(0.5 * yy / determinant),
                                  .b = (float)(0.5 / yy),
-                                 .opacity = mesh->splats[number].opacity};
+                                 .opacity = mesh->splats[number].opacity,
+                                 .depth = p->call->depth_scale[0] * (float)clip[3] +
+                                          p->call->depth_scale[1] * (float)(clip[3] - clip[2])};
     if (!(xx < WIDEST && yy < WIDEST && determinant > 0) ||
         at[0] != clamp(at[0], -FARTHEST, FARTHEST) || at[1] != clamp(at[1], -FARTHEST, FARTHEST) ||
         bounds[0][0] >= bounds[0][1]) {
@@ -178,13 +180,17 @@ static void store_pixel(const burnish_splat_call *call, const float light[3], fl
                         uint8_t *pixel) {
     const burnish_pixel_format format = call->target->pixels.format;
     const int is_linear = format == BURNISH_PIXELS_RGBA_FLOAT;
-    const float alpha = 1 - through;
-    float linear[4] = {0, 0, 0, call->transparent ? alpha : 1};
-    memcpy(linear, pixel, is_linear ? 3 * sizeof *linear : 0);
+    float linear[4] = {0}, held = 0; /* the pixel's alpha */
+    memcpy(linear, pixel, is_linear ? sizeof linear : 0);
+    if (call->transparent) {
+        held = is_linear ? linear[3] : (float)pixel[3] / 255;
+    }
+    linear[3] = call->transparent ? 1 - through * (1 - held) : 1;
     for (int k = 0; k < 3; ++k) {
         uint8_t *to = pixel + (format == BURNISH_PIXELS_BGRA8 ? 2 - k : k);
         const float behind = (float)(is_linear ? burnish_linear_to_srgb(linear[k]) : *to) / 255;
-        const float value = call->transparent ? light[k] / alpha : light[k] + through * behind;
+        const float share = call->transparent ? through * held : through;
+        const float value = (light[k] + share * behind) / linear[3];
         linear[k] = burnish_srgb_value_to_linear(value);
         *to = is_linear ? *to : to_byte(value);
     }
@@ -198,6 +204,7 @@ static void store_pixel(const burnish_splat_call *call, const float light[3], fl
 static void store_row(painter *p, const burnish_splat_band *band, int y) {
     const burnish_target *target = p->call->target;
     const burnish_pixel_format format = target->pixels.format;
+    const burnish_target *surface = p->call->surface;
     const size_t row = (size_t)(y - band->first_row) * band->stride,
                  own = (size_t)(y - p->call->first_row);
     const size_t size = format == BURNISH_PIXELS_RGB8         ? 3
@@ -213,9 +220,11 @@ static void store_row(painter *p, const burnish_splat_band *band, int y) {
                         target->pixels.pixels + own * target->pixels.stride + x * size);
         }
         if (through < 1 && target->coverage) {
-            target->coverage[own * target->coverage_stride + x] = to_byte(1 - through);
+            uint8_t *coverage = &target->coverage[own * target->coverage_stride + x];
+            *coverage = to_byte(1 - through * (1 - (float)*coverage / 255));
         }
-        if (1 - through >= COVERED) {
+        if (1 - through >= COVERED ||
+            (surface->depth && surface->coverage[own * surface->coverage_stride + x] > 0)) {
             first = count++ == 0 ? x : first;
             last = x;
         }
@@ -233,17 +242,28 @@ static void draw_band(void *user_data, size_t index, int thread) {
     painter *p = user_data;
     const int first = p->call->first_row + (int)index * BAND_ROWS, last = first + BAND_ROWS;
     const size_t plane = p->stride * BAND_ROWS;
-    float *floats = p->bands + (size_t)thread * 4 * plane;
+    float *floats = p->bands + (size_t)thread * PLANES * plane;
+    const burnish_target *surface = p->call->surface;
     const burnish_splat_band band = {p->call->view->width,
                                      first,
                                      last < p->call->end_row ? last : p->call->end_row,
                                      p->stride,
                                      floats,
-                                     {floats + plane, floats + 2 * plane, floats + 3 * plane}};
+                                     {floats + plane, floats + 2 * plane, floats + 3 * plane},
+                                     surface->depth ? floats + 4 * plane : NULL,
+                                     floats + 5 * plane};
     for (size_t i = 0; i < plane; ++i) {
         band.through[i] = 1;
     }
-    memset(band.rgb[0], 0, 3 * plane * sizeof *floats);
+    memset(band.rgb[0], 0, (PLANES - 1) * plane * sizeof *floats);
+    for (int y = first; y < band.end_row && band.surface; ++y) {
+        const size_t to = (size_t)(y - first) * p->stride, own = (size_t)(y - p->call->first_row);
+        for (size_t x = 0; x < (size_t)band.width; ++x) {
+            band.surface[to + x] = surface->depth[own * (size_t)band.width + x];
+            band.open[to + x] =
+                (float)(255 - surface->coverage[own * surface->coverage_stride + x]) / 255;
+        }
+    }
     for (size_t i = 0; i < p->count && !burnish_tasks_should_end(p->tasks, thread); i += GRAIN) {
         p->call->ops->blend_splats(p->items + i, p->count - i < GRAIN ? p->count - i : GRAIN,
                                    &band);
@@ -257,12 +277,12 @@ static burnish_status paint(painter *p, burnish_render_report *report, burnish_e
     const burnish_raster_view *view = p->call->view;
     const double limit = p->call->max_overdraw;
     const int ends[4] = {0, 0, view->width, view->height};
-    report->overdraw =
+    report->overdraw +=
         OVERDRAW_SHARE * (double)atomic_load(&p->area) / ((double)view->width * view->height);
     if (report->overdraw > limit) {
         return burnish_fail(
             error, BURNISH_STATUS_LIMIT,
-            "the splats take as long as triangles that cover the picture %.0f times; "
+            "with splats it takes as long as triangles that cover the picture %.0f times; "
             "the limit is %.0f: raise --max-overdraw, or move the camera away",
             report->overdraw, limit);
     }
@@ -272,10 +292,15 @@ static burnish_status paint(painter *p, burnish_render_report *report, burnish_e
     burnish_tasks_run(p->tasks,
                       (size_t)(p->call->end_row - p->call->first_row + BAND_ROWS - 1) / BAND_ROWS,
                       1, 0, draw_band, p);
-    report->covered_pixels = atomic_load(&p->covered);
-    for (int i = 0; i < 4 && report->covered_pixels > 0; ++i) {
-        const int distance = (int)atomic_load(&p->edges[i]);
-        report->bounds[i] = i < 2 ? distance : ends[i] - distance;
+    const size_t covered = atomic_load(&p->covered);
+    for (int i = 0; i < 4 && covered > 0; ++i) {
+        const int distance = (int)atomic_load(&p->edges[i]), bound = report->bounds[i];
+        const int at = i < 2 ? distance : ends[i] - distance;
+        const int is_beyond = report->covered_pixels == 0 || (i < 2 ? at < bound : at > bound);
+        report->bounds[i] = is_beyond ? at : bound;
+    }
+    if (covered > report->covered_pixels) { /* else transparent triangles cover more */
+        report->covered_pixels = covered;
     }
     return burnish_tasks_check(p->tasks, error);
 }
@@ -290,7 +315,7 @@ burnish_status burnish_splats_draw(const burnish_splat_call *call, burnish_rende
     burnish_status status = BURNISH_STATUS_OK;
     p.keys = burnish_allocate(memory, all, 2 * sizeof *p.keys, "splats");
     p.items = burnish_allocate(memory, all, sizeof *p.items, "splats");
-    p.bands = burnish_allocate(memory, 4 * BAND_ROWS * threads, p.stride * sizeof *p.bands,
+    p.bands = burnish_allocate(memory, PLANES * BAND_ROWS * threads, p.stride * sizeof *p.bands,
                                "rows of splats");
     if (memory->status == BURNISH_STATUS_OK) {
         burnish_tasks_ranges(tasks, all, GRAIN, find_keys, &p);

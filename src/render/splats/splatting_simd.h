@@ -45,7 +45,11 @@ static inline void blend_row(const burnish_splat_item *item, const burnish_splat
             continue;
         }
         const vf d = vf_add(vf_mul(vf_set(item->a), squared), vf_set(rest));
-        const vf alpha = vf_mul(vf_set(item->opacity), splat_falloff(d));
+        vf alpha = vf_mul(vf_set(item->opacity), splat_falloff(d));
+        if (band->surface) {
+            const vm nearer = vf_greater(vf_load(band->surface + row + x), vf_set(item->depth));
+            alpha = vf_mul(alpha, vf_blend(nearer, vf_set(1.0f), vf_load(band->open + row + x)));
+        }
         const vf share = vf_and_mask(seen, vf_mul(through, alpha));
         vf_store(to, vf_sub(through, share));
         for (int k = 0; k < 3; ++k) {

@@ -35,6 +35,12 @@ static const struct near_file {
     {"points.ply", "ply\nformat ascii 1.0\nelement vertex 2\n" XYZ "end_header\n0 0 0\n1 2 3\n"},
     {"up.ply", "ply\nformat ascii 1.0\nelement vertex 1\n" XYZ "property float nx\n"
                "property float ny\nproperty float nz\nend_header\n0 0 0 0 0.6 0.8\n"},
+    {"splat.ply", "ply\nformat ascii 1.0\nelement vertex 1\n" XYZ
+                  "property float f_dc_0\nproperty float f_dc_1\nproperty float f_dc_2\n"
+                  "property float opacity\nproperty float scale_0\nproperty float scale_1\n"
+                  "property float scale_2\nproperty float rot_0\nproperty float rot_1\n"
+                  "property float rot_2\nproperty float rot_3\nend_header\n"
+                  "1 2 3 0 0 0 9 0 0 0 1 0 0 0\n"},
     {"tinted.ply", "ply\nformat ascii 1.0\nelement vertex 3\n" XYZ
                    "property uchar red\nproperty uchar green\nproperty uchar blue\n"
                    "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
@@ -215,6 +221,14 @@ static void test_clouds(void) {
     CHECK1(mixed && burnish_mesh_get_view(mixed)->triangle_count == 4);
     CHECK_TEXT(mixed ? burnish_mesh_get_warning(mixed, 0) : "",
                "a: point clouds beside meshes are left out: 1; draw them alone");
+    OWNED_MESH *among = load_scene(SCENE("{\"file\": \"splat.ply\", \"scale\": 2},"
+                                         "{\"file\": \"t.obj\"}, {\"file\": \"splat.ply\"}"));
+    const burnish_mesh_view *splats = burnish_mesh_get_view(burnish_mesh_get_splats(among));
+    CHECK1(splats && splats->vertex_count == 2 && splats->positions[2] == 6 &&
+           splats->positions[5] == 3 && fabsf(splats->splats[0].axes[0][0] - 2) < 1e-5f);
+    CHECK1(burnish_mesh_get_view(among)->triangle_count == 4 &&
+           burnish_mesh_get_view(among)->bounds_max[1] >= 4 &&
+           burnish_mesh_get_warning_count(among) == 0);
 }
 
 /* 5.8 million triangles are too many for 0.8 MB of files, of which two share 0.75 MB. */

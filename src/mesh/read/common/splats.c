@@ -104,6 +104,24 @@ burnish_status burnish_make_splats(burnish_reader *reader, int is_trained) {
     return burnish_make_points(reader, NULL, 0);
 }
 
+burnish_status burnish_make_splats_beside(burnish_reader *reader) {
+    burnish_mesh_data *mesh = reader->mesh, *splats = mesh->splats;
+    reader->mesh = splats;
+    burnish_status status = burnish_make_splats(reader, 0);
+    reader->mesh = mesh;
+    mesh->memory.status = splats->memory.status;
+    if (status == BURNISH_STATUS_FORMAT) { /* reader->damage has been noted */
+        burnish_mesh_data_destroy(splats);
+        burnish_release(mesh->memory.context, splats);
+        mesh->splats = NULL;
+        status = BURNISH_STATUS_OK;
+        if (reader->error) {
+            *reader->error = (burnish_error){0};
+        }
+    }
+    return status;
+}
+
 burnish_status burnish_visible_splats(burnish_mesh_data *mesh, float **positions, size_t *count,
                                       double *size) {
     const burnish_splat *splats = mesh->streams[BURNISH_SPLAT].items;

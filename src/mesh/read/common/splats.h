@@ -39,6 +39,9 @@ burnish_status burnish_reserve_splats(burnish_reader *reader, size_t count);
  * Errors: as burnish_make_points. */
 burnish_status burnish_make_splats(burnish_reader *reader, int is_trained);
 
+/* The same for reader->mesh->splats, which are left out if none remains. */
+burnish_status burnish_make_splats_beside(burnish_reader *reader);
+
 /* The positions of splats that show: those opaque to a tenth at least, or all if these are few.
  * *positions is the caller's to release; *size: the mean length of their longest axes.
  * Errors: MEMORY. */

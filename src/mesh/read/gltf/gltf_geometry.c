@@ -439,7 +439,7 @@ static uint16_t material_at(gltf_drawer *drawer, const burnish_gltf_primitive *p
     return (uint16_t)number;
 }
 
-/* Splats are drawn alone. */
+/* Splats are drawn apart. */
 static int is_undrawn(const gltf_drawer *drawer, const burnish_gltf_primitive *primitive) {
     return drawer->has[BURNISH_SPLAT] != (primitive->splats[0] != BURNISH_GLTF_NONE);
 }
@@ -489,16 +489,14 @@ static void count_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
     (void)node;
     static const char *const kinds[] = {"points", "lines", "triangles"};
     const burnish_gltf_kind kind = burnish_gltf_kind_of(primitive);
-    if (kind != drawer->kind && (drawer->is_beside || drawer->kind == BURNISH_GLTF_TRIANGLES)) {
-        return; /* add_beside */
-    }
     if (kind != drawer->kind || is_undrawn(drawer, primitive)) {
-        burnish_gltf_note(gltf, &gltf->undrawn, primitive->value,
-                          "%s are not drawn in a file with %s",
-                          primitive->splats[0] != BURNISH_GLTF_NONE ? "splats" : kinds[kind],
-                          drawer->has[BURNISH_SPLAT] ? "splats"
-                          : drawer->is_beside        ? "triangles"
-                                                     : kinds[drawer->kind]);
+        const int is_later = drawer->is_beside || drawer->kind == BURNISH_GLTF_TRIANGLES ||
+                             primitive->splats[0] != BURNISH_GLTF_NONE; /* add_beside, add_splats */
+        if (!is_later) {
+            burnish_gltf_note(gltf, &gltf->undrawn, primitive->value,
+                              "%s are not drawn in a file with %s", kinds[kind],
+                              drawer->has[BURNISH_SPLAT] ? "splats" : kinds[drawer->kind]);
+        }
         return;
     }
     const size_t vertices = gltf->accessors[primitive->position].count;
@@ -765,6 +763,41 @@ static void add_beside(burnish_gltf *gltf, burnish_part_list *parts) {
     burnish_mesh_data_destroy(&ends);
 }
 
+/* Adds the splats of a file with triangles or lines, which stay if no splat can be placed. */
+static void add_splats(burnish_gltf *gltf) {
+    burnish_mesh_data *mesh = gltf->reader->mesh, *splats;
+    gltf_drawer drawer = {.gltf = gltf,
+                          .kind = BURNISH_GLTF_POINTS,
+                          .is_beside = 1,
+                          .parts = {.memory = gltf->memory}};
+    for_each_primitive(&drawer, find_splats);
+    drawer.has[BURNISH_POSITION] = 1;
+    if (drawer.has[BURNISH_SPLAT]) {
+        for_each_primitive(&drawer, count_primitive);
+    }
+    if (drawer.elements == 0 || !burnish_gltf_is_fine(gltf)) {
+        return;
+    }
+    gltf->status =
+        burnish_check_points(gltf->reader, (size_t)drawer.elements + mesh->triangle_count, 0);
+    splats = burnish_mesh_data_add_splats(mesh);
+    if (gltf->status == BURNISH_STATUS_OK && splats) {
+        drawer.mesh = splats;
+        drawer.has[BURNISH_NORMAL] = drawer.has[BURNISH_TANGENT] = drawer.has[BURNISH_COLOR] = 0;
+        drawer.has[BURNISH_TEXCOORD] = drawer.has[BURNISH_TEXCOORD2] = 0;
+        reserve_streams(&drawer, 0);
+        gltf->memory->status = splats->memory.status;
+    }
+    if (burnish_gltf_is_fine(gltf)) {
+        for_each_primitive(&drawer, draw_primitive);
+    }
+    if (gltf->status == BURNISH_STATUS_OK) {
+        splats->streams[BURNISH_SPLAT].count = splats->streams[BURNISH_POSITION].count;
+        gltf->status = burnish_make_splats_beside(gltf->reader);
+    }
+    release_drawer(&drawer);
+}
+
 void burnish_gltf_read_geometry(burnish_gltf *gltf) {
     const burnish_load_options *options = gltf->reader->input->options;
     gltf_drawer drawer = {.gltf = gltf,
@@ -805,6 +838,9 @@ void burnish_gltf_read_geometry(burnish_gltf *gltf) {
     } else if (gltf->status == BURNISH_STATUS_OK && !scalar) {
         burnish_parts_count(&drawer.parts, drawer.mesh->triangle_count);
         add_beside(gltf, &drawer.parts);
+    }
+    if (gltf->status == BURNISH_STATUS_OK && drawer.kind != BURNISH_GLTF_POINTS) {
+        add_splats(gltf);
     }
     if (drawer.kind == BURNISH_GLTF_TRIANGLES && burnish_gltf_is_fine(gltf)) {
         burnish_parts_finish(&drawer.parts, drawer.mesh, 1);

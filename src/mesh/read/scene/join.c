@@ -9,6 +9,7 @@
 #include "mesh/data/material.h"
 #include "mesh/read/common/local_origin.h"
 #include "mesh/read/common/parts.h"
+#include "mesh/read/common/splats.h"
 #include "mesh/read/io/budget.h"
 #include "mesh/read/scene/scene.h"
 
@@ -145,7 +146,7 @@ static int is_dropped(const burnish_scene_item *item, int attribute) {
 }
 
 static size_t values_of(const burnish_scene_item *item, int attribute) {
-    return is_dropped(item, attribute) ? 0 : item->source->mesh.streams[attribute].count;
+    return is_dropped(item, attribute) ? 0 : item->mesh->streams[attribute].count;
 }
 
 /* Whether corners of the whole need numbers of their own for an attribute: some item has its own,
@@ -154,7 +155,7 @@ static int needs_corners(const joining *j, burnish_attribute attribute) {
     int any = attribute == BURNISH_POSITION;
     for (size_t i = 0; i < j->scene->item_count && !any; ++i) {
         const burnish_scene_item *item = &j->scene->items[i];
-        any = item->source->mesh.streams[attribute].corners ||
+        any = item->mesh->streams[attribute].corners ||
               values_of(item, attribute) != values_of(item, BURNISH_POSITION);
     }
     return any;
@@ -170,7 +171,7 @@ static burnish_status reserve_streams(joining *j) {
         for (int a = 0; a < BURNISH_ATTRIBUTE_COUNT; ++a) {
             counts[a] += values_of(&scene->items[i], a);
         }
-        triangles += scene->items[i].source->mesh.triangle_count;
+        triangles += scene->items[i].mesh->triangle_count;
     }
     if (triangles > limit) {
         return burnish_fail_triangles(scene->reader, NULL);
@@ -204,7 +205,7 @@ static burnish_status reserve_streams(joining *j) {
 
 /* Numbers the corners of triangles [from, end) of an item. */
 static void write_triangles(joining *j, const burnish_scene_item *item, size_t from, size_t end) {
-    const burnish_mesh_data *mesh = &item->source->mesh;
+    const burnish_mesh_data *mesh = item->mesh;
     double unused[9];
     const int is_mirrored = find_cofactors(item->transform, unused);
     for (int a = 0; a < BURNISH_ATTRIBUTE_COUNT; ++a) {
@@ -234,7 +235,7 @@ static void write_all_triangles(joining *j, int are_lines) {
     memset(j->first, 0, sizeof j->first);
     for (size_t i = 0; i < j->scene->item_count; ++i) {
         const burnish_scene_item *item = &j->scene->items[i];
-        const burnish_mesh_data *mesh = &item->source->mesh;
+        const burnish_mesh_data *mesh = item->mesh;
         const size_t faces = mesh->triangle_count - lines_of(mesh);
         write_triangles(j, item, are_lines ? faces : 0, are_lines ? mesh->triangle_count : faces);
         for (int a = 0; a < BURNISH_ATTRIBUTE_COUNT; ++a) {
@@ -249,7 +250,7 @@ static void write_items(const joining *j) {
         for (size_t i = 0; i < j->scene->item_count; ++i) {
             const burnish_scene_item *item = &j->scene->items[i];
             if (values_of(item, a) > 0) {
-                move_items(&item->source->mesh, (burnish_attribute)a, item->transform, to);
+                move_items(item->mesh, (burnish_attribute)a, item->transform, to);
                 to += values_of(item, a) * burnish_attribute_size((burnish_attribute)a);
             }
         }
@@ -260,7 +261,7 @@ static burnish_status write_positions(const joining *j, const double origin[3]) 
     float *to = burnish_positions(j->mesh);
     int fits = 1;
     for (size_t i = 0; i < j->scene->item_count; ++i) {
-        const burnish_mesh_data *mesh = &j->scene->items[i].source->mesh;
+        const burnish_mesh_data *mesh = j->scene->items[i].mesh;
         fits &= move_positions(mesh, j->scene->items[i].transform, origin, to);
         to += 3 * mesh->streams[BURNISH_POSITION].count;
     }
@@ -487,24 +488,39 @@ static void join_clouds(const burnish_scene *scene, burnish_mesh_data *to) {
     to->triangle_parts = NULL;
 }
 
-/* Leaves out clouds beside faces. Returns whether all items are clouds. */
-static int settle_clouds(burnish_scene *scene) {
+/* Leaves out points next to faces, and takes splats next to faces apart. Returns whether all items are
+ * clouds. */
+static int settle_clouds(burnish_scene *scene, burnish_scene *apart) {
     const size_t count = scene->item_count;
-    size_t clouds = 0;
+    size_t clouds = 0, points = 0;
     for (size_t i = 0; i < count; ++i) {
-        clouds += scene->items[i].source->mesh.point_count > 0;
+        scene->items[i].mesh = &scene->items[i].source->mesh;
+        clouds += scene->items[i].mesh->point_count > 0;
     }
-    if (clouds > 0 && clouds < count) {
-        burnish_reader_warn(scene->reader, NULL,
-                            "point clouds beside meshes are left out: %zu; draw them alone",
-                            clouds);
-        scene->item_count = 0;
-        for (size_t i = 0; i < count; ++i) {
-            scene->items[scene->item_count] = scene->items[i];
-            scene->item_count += scene->items[i].source->mesh.point_count == 0;
+    if (clouds == count) {
+        return 1;
+    }
+    apart->items =
+        burnish_allocate(&scene->reader->mesh->memory, count, sizeof *apart->items, "splats");
+    scene->item_count = 0;
+    for (size_t i = 0; i < count && apart->items; ++i) {
+        burnish_scene_item item = scene->items[i];
+        const int is_cloud = item.mesh->point_count > 0;
+        scene->items[scene->item_count] = item;
+        scene->item_count += !is_cloud;
+        item.mesh = is_cloud ? item.mesh : item.mesh->splats;
+        if (item.mesh && item.mesh->streams[BURNISH_SPLAT].count > 0) {
+            apart->items[apart->item_count++] = item;
+        } else {
+            points += is_cloud;
         }
     }
-    return clouds == count;
+    if (points > 0) {
+        burnish_reader_warn(scene->reader, NULL,
+                            "point clouds beside meshes are left out: %zu; draw them alone",
+                            points);
+    }
+    return 0;
 }
 
 static void add_facts(const burnish_scene *scene, burnish_mesh_data *to) {
@@ -536,18 +552,36 @@ static burnish_status join_streams(joining *j) {
     return status;
 }
 
+/* The splats of all items next to faces. */
+static burnish_status join_splats(burnish_scene *scene, burnish_mesh_data *to) {
+    joining j = {.scene = scene, .mesh = burnish_mesh_data_add_splats(to)};
+    burnish_status status = to->memory.status;
+    if (status == BURNISH_STATUS_OK) {
+        status = reserve_streams(&j);
+    }
+    if (status == BURNISH_STATUS_OK) {
+        write_items(&j);
+        status = write_positions(&j, to->origin);
+    }
+    return status == BURNISH_STATUS_OK ? burnish_make_splats_beside(scene->reader) : status;
+}
+
 burnish_status burnish_scene_join(burnish_scene *scene) {
     burnish_mesh_data *to = scene->reader->mesh;
     joining j = {.scene = scene, .mesh = to};
-    const int are_clouds = settle_clouds(scene);
+    burnish_scene apart = {.reader = scene->reader};
     match_units(scene);
+    const int are_clouds = settle_clouds(scene, &apart);
     if (scene->more_warnings > 0) {
         char line[80];
         snprintf(line, sizeof line, "%zu more warnings of files are not listed",
                  scene->more_warnings);
         burnish_mesh_data_list_warning(to, line);
     }
-    burnish_status status = join_materials(scene);
+    burnish_status status = to->memory.status;
+    if (status == BURNISH_STATUS_OK) {
+        status = join_materials(scene);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = join_parts(scene);
     }
@@ -568,5 +602,9 @@ burnish_status burnish_scene_join(burnish_scene *scene) {
         }
         status = burnish_tasks_check(to->tasks, scene->reader->error);
     }
+    if (status == BURNISH_STATUS_OK && apart.item_count > 0) {
+        status = join_splats(&apart, to);
+    }
+    burnish_release(to->memory.context, apart.items);
     return status;
 }

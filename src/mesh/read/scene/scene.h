@@ -29,6 +29,7 @@ typedef struct burnish_scene_item {
     int has_color;   /* 1: srgb replaces the materials and colours of the source */
     uint8_t srgb[4]; /* with alpha */
     uint32_t first_material, first_part; /* set by joining */
+    const burnish_mesh_data *mesh;       /* the same: the source's, or its splats */
 } burnish_scene_item;
 
 /* Start from {.reader = reader}. */
