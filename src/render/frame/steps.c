@@ -288,11 +288,10 @@ static burnish_tones tones_of(const burnish_render_options *options, const burni
 /* Planes of the opaque triangles among which splats are. */
 static burnish_status reserve_surface(burnish_call *d) {
     const burnish_row_range rows = burnish_drawn_rows(d->options);
-    const size_t width = (size_t)d->options->width;
-    d->surface.depth = burnish_allocate(&d->memory, width * (size_t)(rows.end - rows.first),
-                                        sizeof(float) + 1, "depths for splats");
+    const size_t width = (size_t)d->options->width, count = width * (size_t)(rows.end - rows.first);
+    d->surface.depth = burnish_allocate(&d->memory, count, sizeof(float) + 1, "depths for splats");
+    d->surface.coverage = d->surface.depth ? (uint8_t *)(d->surface.depth + count) : NULL;
     d->surface.depth_stride = width * sizeof(float);
-    d->surface.coverage = (uint8_t *)(d->surface.depth + width * (size_t)(rows.end - rows.first));
     d->surface.coverage_stride = width;
     return d->memory.status;
 }
