@@ -314,6 +314,12 @@ cJSON *cli_json_count(size_t value) {
     return cJSON_CreateRaw(text);
 }
 
+void cli_json_add_outcome(cJSON *object, int code, const char *message, int *failed) {
+    cli_json_add(object, "status", cJSON_CreateString(code == 0 ? "done" : "failed"), failed);
+    cli_json_add(object, "code", cJSON_CreateNumber(code), failed);
+    cli_json_add(object, "error", cli_json_text(message), failed);
+}
+
 cJSON *cli_json_seconds(double value) {
     char text[40];
     snprintf(text, sizeof text, "%.6f", value);

@@ -86,6 +86,9 @@ cJSON *cli_json_real(double value);
 cJSON *cli_json_float(float value);
 cJSON *cli_json_count(size_t value);
 cJSON *cli_json_seconds(double value);
+/* Adds the keys that finished and failed runs share: status, code, and error, NULL if there is none. */
+void cli_json_add_outcome(cJSON *object, int code, const char *message, int *failed);
+
 /* Bytes that are not UTF-8, as in some file names, become '?'. NULL gives null. */
 cJSON *cli_json_text(const char *text);
 /* All bytes; bytes that RFC 3986 reserves as %XX. */

@@ -114,6 +114,11 @@ static void print_first_screen(void) {
 
 /* `burnish help render`, `burnish help lobe table`. */
 static burnish_status help_about(cli_call *call, burnish_error *error) {
+    if (strcmp(call->operands[0], "version") == 0) {
+        printf("Usage: %s version, --version or -V   prints %s %s\n", running->name, running->name,
+               burnish_version());
+        return BURNISH_STATUS_OK;
+    }
     const cli_command *command = cli_find_command(running->commands, call->operands[0], error);
     if (!command) {
         return error->status;

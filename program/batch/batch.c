@@ -154,7 +154,8 @@ static const cli_term report_terms[] = {
     {"*input, output*", "names; bytes that are not UTF-8 are ?"},
     {"*input_bytes, output_bytes*",
      "a name that is not UTF-8, with such bytes as %XX, as in a URL"},
-    {"*status*", "*done* or *failed*"},
+    {"*status, code, error*",
+     "as *burnish render --json* has them; the keys from *input_hash* on are those of a picture"},
     {"*bytes, input_hash*", "of the input: its size, and XXH64 of its bytes"},
     {"*format, triangles, vertices, size*",
      "of the mesh; *size* along X, Y and Z, for points and lines without their drawn thickness"},
@@ -164,7 +165,6 @@ static const cli_term report_terms[] = {
     {"*plates, filaments*", "of a print project, as *burnish info --json* has them, at most 64"},
     {"*width, height, hash, blank, legible, warnings*", "as *burnish render --json* has them"},
     {"*files, files_hash*", "files that the input names; XXH64 over names and bytes"},
-    {"*code, error*", "of a failed input: exit code and message of *burnish render*"},
     {"*seconds*", "*total*: wall-clock time, the only value that differs between runs"},
     {NULL, NULL},
 };

@@ -14,6 +14,7 @@
 #include "batch/batch.h"
 #include "batch/types.h"
 #include "cli/input.h"
+#include "render/output/result.h"
 
 /* ---- Reading ---- */
 
@@ -277,13 +278,15 @@ void batch_add_names(const batch_item *item, cJSON *object, int *failed) {
 char *batch_failed_line(const batch *b, const batch_item *item, int code, const char *message,
                         double seconds) {
     int failed = 0;
+    if (b->settings->is_render) {
+        cJSON *line = render_describe_failure(item->input, code, message, seconds, &failed);
+        return cli_json_string(line, failed, 0);
+    }
     cJSON *object = cJSON_CreateObject();
     batch_add_hash(object, "id", item->id, &failed);
     batch_add_names(item, object, &failed);
-    cli_json_add(object, "status", cJSON_CreateString("failed"), &failed);
+    cli_json_add_outcome(object, code, message, &failed);
     cli_json_add(object, "bytes", cli_json_count((size_t)item->bytes), &failed);
-    cli_json_add(object, "code", cJSON_CreateNumber(code), &failed);
-    cli_json_add(object, "error", cli_json_text(message), &failed);
     batch_add_seconds(b, object, seconds, &failed);
     return cli_json_string(object, failed, 0);
 }

@@ -453,7 +453,7 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
     cJSON *object = cJSON_CreateObject();
     batch_add_hash(object, "id", item->id, &failed);
     batch_add_names(item, object, &failed);
-    cli_json_add(object, "status", cJSON_CreateString("done"), &failed);
+    cli_json_add_outcome(object, 0, NULL, &failed);
     cli_json_add(object, "bytes", cli_json_count((size_t)item->bytes), &failed);
     batch_add_hash(object, "input_hash", hash, &failed);
     batch_add_hash(object, "hash", f->picture, &failed);
@@ -563,9 +563,9 @@ static char *run_item(runner *r, uint32_t index, batch_reply *reply) {
         reply->failed = is_late ? BATCH_LATE : BATCH_FAILED;
     }
     const double seconds = burnish_seconds_now() - start;
-    char *text = reply->failed ? batch_failed_line(r->b, item, code, error.text, seconds)
-                 : settings.job.is_reported ? render_line(r)
-                                            : done_line(r->b, item, hash, &result, &seen, seconds);
+    char *text = settings.job.is_reported && result.is_drawn ? render_line(r)
+                 : reply->failed ? batch_failed_line(r->b, item, code, error.text, seconds)
+                                 : done_line(r->b, item, hash, &result, &seen, seconds);
     release_files(&seen);
     return text;
 }

@@ -198,6 +198,7 @@ static const cli_flag flags[] = {
                "millimetre, and the scale on paper is one of ISO 5455, such as 1:2."},
     {DRAW_FLAG("paper", "SIZE", "page of aligned views", cli_flag_word, picture.paper),
      .not_for = HEIR_ONE_PICTURE, .words = paper_words, .default_label = "none",
+     .aliases = "paper-size,page-size",
      .manual =
          "The page of *--views=third-angle* or *first-angle*, lying on its long side, with the "
          "margins of ISO 5457, instead of *--resolution*. A unit of the input is a "
@@ -214,7 +215,7 @@ static const cli_flag flags[] = {
          "Numbers are in the units of the input, rounded to four digits. Framing leaves room for "
          "annotations; one that does not fit is omitted with a warning."},
     {DRAW_SWITCH("callouts", "number the parts, and list them", picture.callouts),
-     .not_for = HEIR_COMPARE,
+     .not_for = HEIR_COMPARE, .aliases = "bom,balloons,parts-list",
      .manual =
          "Draws balloons with numbers around the object, leaders to the parts of the input, and a "
          "list of numbers, counts and names (*#3*: the third part, which has none). Equal parts "
@@ -519,7 +520,7 @@ static const cli_flag flags[] = {
                "object is there without this flag."},
     {DRAW_SWITCH("raytracing", "find occlusion, shadows and reflections by rays",
                  shading.raytracing),
-     .svg = CLI_SVG_REFUSED, .aliases = "ray-tracing,rays",
+     .svg = CLI_SVG_REFUSED, .aliases = "ray-tracing,raytrace,rays,rt",
      .manual =
          "Casts rays at all triangles to find how much light arrives, instead of drawing depth "
          "maps: all area lights cast soft shadows, exact at contacts and in narrow gaps, also "
@@ -561,7 +562,7 @@ static const cli_flag flags[] = {
     {.group = "Input", .topic = "input", CLI_INPUT_FORMAT_FLAG(render_settings, input.load)},
     {LOAD_FLAG("clip", "X,Y,Z,D", "cut away where X x + Y y + Z z > D; may be repeated",
                render_flag_clip, input.clip),
-     .value_type = CLI_TYPE_VECTOR, .not_for = HEIR_COMPARE, .aliases = "clipping,clip-plane,cut",
+     .value_type = CLI_TYPE_VECTOR, .not_for = HEIR_COMPARE, .aliases = "clipping,clip-plane",
      .repeats = 1,
      .manual =
          "Cuts away everything beyond a plane: points with _X_ x + _Y_ y + _Z_ z > _D_, in "
@@ -572,7 +573,7 @@ static const cli_flag flags[] = {
          "rest."},
     {LOAD_FLAG("section", "AXIS", "cut and look at the cut: x, -y, z:OFFSET", render_flag_section,
                input.section),
-     .value_type = CLI_TYPE_TEXT, .not_for = HEIR_COMPARE, .aliases = "cross-section",
+     .value_type = CLI_TYPE_TEXT, .not_for = HEIR_COMPARE, .aliases = "cross-section,cut",
      .manual = "Cuts the object across an axis of the input, _AXIS_ or _AXIS_:_OFFSET_, by default "
                "in its middle, and looks at the cut square on, from the side of the front, right "
                "or top view. A sign chooses the side: *--section=-y* takes away what is below, and "
@@ -742,8 +743,9 @@ const cli_command render_command = {
         "*:teapot*, *:sphere*, *:torus* or *:knot*.\nWithout flags the picture shows the whole "
         "object in a three-quarter view, lit by lights that follow the camera. The value of a flag "
         "follows after *=* or as the next argument. Flags can't be abbreviated. If a flag is "
-        "repeated, the last one counts, except for *--light*, *--clip* and *--plane*. *--* ends "
-        "the flags. A flag without an effect is a warning, such as *--frames* without "
+        "repeated, the last one counts, without a warning; *--light*, *--clip*, *--plane*, "
+        "*--hide*, *--only* and *--joint* add up. *--* ends the flags. A flag without an effect is "
+        "a warning, such as *--frames* without "
         "*--turntable* or *--animation* for an STL file, and an error with *--strict*. Limits, "
         "*--overwrite*, *--no-colors*, *--no-textures* and *--no-libraries* never are. Flags that "
         "contradict each other, and flags for shading in an SVG or PDF, are errors.\nSeveral "

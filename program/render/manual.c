@@ -105,6 +105,8 @@ static const cli_term plane_terms[] = {
 static const cli_term json_terms[] = {
     {"*burnish*", "the version"},
     {"*input, format, output*", "*output* is null when nothing is written"},
+    {"*status, code, error*",
+     "done, 0 and null, or failed, the exit code and the line on standard error"},
     {"*width, height*", "of the picture, in pixels"},
     {"*rows*", "with *--rows*: the first row and the number of rows, which is also *height*; "
                "*pixel_bounds* counts from the first row of the whole picture"},
@@ -201,10 +203,11 @@ const cli_section render_sections[] = {
      .terms = plane_terms},
     {.heading = "JSON OUTPUT",
      .text =
-         "One object for each input, in one line each if there are several inputs. One of several "
-         "that failed has the line of a failed input in the report of a batch instead. Numbers "
-         "read back as exactly the values "
-         "that were used. The object of a single input is printed before the picture replaces an "
+         "One object for each input, in one line each if there are several inputs. An input that "
+         "can not be drawn has *burnish*, *input*, *output*, *status*, *code*, *error*, *seconds*, "
+         "*hash* and *warnings*; a wrong flag, or a limit that ends the process of a single input, "
+         "prints none. Numbers read back as exactly the values that were used. The object of a "
+         "single input is printed before the picture replaces an "
          "older one: if printing fails, the older picture stays.",
      .terms = json_terms},
     {.heading = "IN PLACE OF F3D",

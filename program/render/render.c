@@ -31,11 +31,12 @@ static double processor_seconds(void) {
     return (double)used.tv_sec + 1e-9 * (double)used.tv_nsec;
 }
 
-/* Prints the line of a run that ends by --fail-on-blank. */
-static void report_blank(const render_result *result) {
+int render_judge_result(const render_result *result, burnish_error *line) {
     const char *input = result->settings->input.name;
     size_t unseen = 0; /* cells whose camera is right */
-    burnish_error error;
+    if (result->blank_cells == 0 || !result->settings->output.fail_on_blank) {
+        return render_is_different(result, line) ? CLI_EXIT_DIFFERENT : 0;
+    }
     for (size_t i = 0; i < result->cell_count; ++i) {
         unseen += result->cells[i].report.covered_pixels > 0 && result->cells[i].has_one_color;
     }
@@ -43,14 +44,14 @@ static void report_blank(const render_result *result) {
                        : unseen > 0                  ? "camera, colours, lights and background"
                                                      : "the camera";
     if (result->cell_count > 1) {
-        cli_fail(&error, BURNISH_STATUS_OK,
+        cli_fail(line, BURNISH_STATUS_OK,
                  "%.300s: %zu of %zu cells are blank; check %s; no file was written", input,
                  result->blank_cells, result->cell_count, cure);
     } else {
-        cli_fail(&error, BURNISH_STATUS_OK, "%.300s: the picture %s; check %s; no file was written",
+        cli_fail(line, BURNISH_STATUS_OK, "%.300s: the picture %s; check %s; no file was written",
                  input, unseen > 0 ? "has one colour" : "is blank", cure);
     }
-    fprintf(stderr, "burnish: %s\n", error.text);
+    return CLI_EXIT_BLANK;
 }
 
 /* Called when the output's bytes are on disk under a temporary name: if printing the report fails,
@@ -294,11 +295,10 @@ burnish_status render_run(render_settings *settings, int *exit_code, burnish_err
         if (settings->job.timing) {
             render_print_timing(&result.seconds);
         }
-        if (result.blank_cells > 0 && settings->output.fail_on_blank) {
-            report_blank(&result);
-            *exit_code = CLI_EXIT_BLANK;
-        } else if (render_report_difference(&result)) {
-            *exit_code = CLI_EXIT_DIFFERENT;
+        burnish_error line;
+        *exit_code = render_judge_result(&result, &line);
+        if (*exit_code != 0) {
+            fprintf(stderr, "burnish: %s\n", line.text);
         }
         confirm(&result);
     }
@@ -306,23 +306,44 @@ burnish_status render_run(render_settings *settings, int *exit_code, burnish_err
     return status;
 }
 
+/* Writes the object of a run that ends without a picture. Its error is the one to print. */
+static void write_failure(const render_settings *settings, double seconds,
+                          const burnish_error *error) {
+    cli_output output;
+    burnish_error unwritten;
+    int failed = 0;
+    if (settings->output.json && cli_output_begin(&output, &unwritten) == BURNISH_STATUS_OK) {
+        cJSON *root =
+            render_describe_failure(settings->input.name, burnish_status_exit_code(error->status),
+                                    error->text, seconds, &failed);
+        const burnish_status status = cli_json_print(output.stream, root, failed, &unwritten);
+        cli_output_end(&output, settings->output.json, status, &unwritten);
+    }
+}
+
 /* Draws call->operands[0], in the sandbox if the settings ask for it. */
 static burnish_status draw_input(render_settings *settings, cli_call *call, burnish_error *error) {
     settings->input.name = call->operands[0];
     int code = -1;
+    const double start = burnish_seconds_now();
     burnish_status status = render_finish(settings, error);
-    if (status == BURNISH_STATUS_OK && settings->input.load.scene) {
+    if (status != BURNISH_STATUS_OK) {
+        return status; /* the file of --json could be another output */
+    }
+    if (settings->input.load.scene) {
         status = render_join_inputs(call, &settings->input.load, error);
     }
     if (status == BURNISH_STATUS_OK) {
         status = enter_sandbox(settings, &code, error);
     }
-    if (status != BURNISH_STATUS_OK || code >= 0) {
+    if (code >= 0) {
         call->exit_code = code;
-        render_release_inputs(&settings->input.load);
-        return status;
+    } else if (status == BURNISH_STATUS_OK) {
+        status = render_run(settings, &call->exit_code, error);
     }
-    status = render_run(settings, &call->exit_code, error);
+    if (status != BURNISH_STATUS_OK) {
+        write_failure(settings, burnish_seconds_now() - start, error);
+    }
     render_release_inputs(&settings->input.load);
     return status;
 }

@@ -13,9 +13,7 @@ char *serve_failed_line(int code, const char *message, const char *report) {
     int failed = 0;
     cli_json_add(object, "code", cJSON_CreateNumber(code), &failed);
     cli_json_add(object, "error", cli_json_text(message), &failed);
-    if (report) {
-        cli_json_add(object, "report", cJSON_CreateRaw(report), &failed);
-    }
+    cli_json_add(object, "report", report ? cJSON_CreateRaw(report) : cJSON_CreateNull(), &failed);
     return cli_json_string(object, failed, 0);
 }
 
@@ -241,7 +239,7 @@ static burnish_status serve_request(const serve_settings *settings, const char *
 /* Writes the reply and ends the process. */
 __attribute__((noreturn)) static void reply(const serve_settings *settings, const char *frame,
                                             size_t size) {
-    static const char head[] = "{\"code\":0,\"report\":";
+    static const char head[] = "{\"code\":0,\"error\":null,\"report\":";
     burnish_error error;
     int code = 0;
     const burnish_status status = serve_request(settings, frame, size, &code, &error);

@@ -295,10 +295,16 @@ check "a template: $(cat "$err")" [ "$code$(ls thumbs | grep -c '^[am]_[a-z]*[.]
 run render in/a.obj in/sub/m.obj --size=16 --views=front,top -o "$PWD/thumbs/{model}_{view}.jpg" --json $memory
 check "again, whole: $(cat "$err")" [ "$code$(wc -l <"$out")" = 04 ]
 # A line is the object of one input, without what depends on the run: times, threads, and the picture's folder.
-object() { python3 -c 'import json, sys; r = json.loads(sys.stdin.readline()); del r["seconds"], r["threads"], r["output"]; print(r)'; }
+object() { python3 -c 'import json, sys; r = json.loads(sys.stdin.readline()); del r["seconds"], r["output"]; r.pop("threads", 0); print(r)'; }
 run render in/a.obj in/bad.obj --views=front,top --size=16 -d thumbs --json $memory
 object <"$out" >many
-check "one of several that failed" [ "$(sed -n 's/^{"id":.*"input":"\(.*\)","output.*"status":"failed",.*"code":\([0-9]*\),.*/\1 \2/p' "$out")" = 'in/bad.obj 4' ]
+sed -n 2p "$out" | object >failed
+check "one of several that failed" [ "$(sed "s/'error': '.*', //" failed)" = \
+    "{'burnish': '$("$burnish" version | cut -d ' ' -f 2)', 'input': 'in/bad.obj', 'status': 'failed', 'code': 4, 'hash': None, 'warnings': []}" ]
+check "one that is drawn" grep -q "'status': 'done', 'code': 0, 'error': None, .*'hash': '" many
+run render in/bad.obj --size=16 -o one.png --json
+tr -d '\n' <"$out" | object | check "alone, sandboxed or not: $code" cmp - failed
+rm failed
 run render in/a.obj --views=front,top --size=16 -o one.png --json $memory
 tr -d '\n' <"$out" | object >one
 check "several inputs have the objects of one" cmp one many

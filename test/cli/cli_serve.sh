@@ -81,7 +81,7 @@ check "request 3: as render draws it" cmp 3.jpg 3.picture
 for id in 7 4294967295 3 0; do
     cp $id.line "$out"
     check "request $id: JSON" valid_json
-    check "request $id: $(cat $id.line)" grep -q '^{"code":0,"report":{"burnish":' $id.line
+    check "request $id: $(cat $id.line)" grep -q '^{"code":0,"error":null,"report":{"burnish":' $id.line
 done
 check "a warning: $(cat 3.line)" grep -q '"warnings":\["mesh:1: material library \\"m.mtl\\" was not read (m.mtl: is not one of the files' 3.line
 check "flags in vain: $(cat 0.line)" grep -q '"warnings":\["--columns: no effect: only a sheet [^"]*","--animation: no effect: [^"]*"\]' 0.line
@@ -207,7 +207,7 @@ if [ -d /proc/self/fd ]; then
     code=$?
     check "after a crash: exit code $code: $(cat "$err")" [ "$code" = 0 ]
     check "a crash: $(head -c 300 later | tr -d '\0')" grep -qa '"code":1,"error":".*signal 6 ' later
-    check "a picture after it" grep -qa '{"code":0,"report"' later
+    check "a picture after it" grep -qa '{"code":0,"error":null,"report"' later
     check "nothing is left of it" [ -z "$(children $server)" ]
     rm -f pipe later
 else

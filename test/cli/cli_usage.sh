@@ -67,7 +67,8 @@ expect 2 'burnish: -z: unknown flag; "burnish render --help" lists the flags' re
 expect 0 '' render :sphere -q --views=all --size=16 -o x.png
 same "seven views" "$(size_of)" "$(run render :sphere -q --views=front,right,top,iso,back,left,bottom --size=16 -o x.png; size_of)"
 expect 2 'burnish: --views: all is a whole sheet; omit the other views' render :sphere --views=top,all
-for pair in padding:margin trim:margin alpha:no-background scale:zoom force:overwrite format:output-format engine:look resize:size world:environment; do
+for pair in padding:margin trim:margin alpha:no-background scale:zoom force:overwrite format:output-format engine:look resize:size world:environment bom:callouts balloons:callouts exploded:explode cut:section cross-section:section \
+    paper-size:paper raytrace:raytracing rt:raytracing; do
     expect 2 "burnish: --${pair%:*}: unknown flag; did you mean --${pair#*:}?" render :sphere "--${pair%:*}"
 done
 expect 2 'burnish: -y: unknown flag; did you mean --overwrite?' render :sphere -y
@@ -81,6 +82,10 @@ printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' | gzip -c >x.obj.gz
 expect 0 '' render x.obj.gz -q
 same "the name of a compressed mesh" "$(size_of)" '1024 768'
 rm -f x.obj.gz
+expect 0 '' render :sphere --samples=1 --samples=4 --size=16 -o x.png
+run render :sphere --size=16 -o y.png
+check "of a repeated flag the last counts" cmp x.png y.png
+gives 0 help version
 gives 0 version
 same "version" "$(cat "$out")" "$("$burnish" --version)"
 # Command lines of Manyfold, FreeCAD and file managers, under f3d's name; then every option of docs/pictures.md.

@@ -79,22 +79,21 @@ void render_add_reference(cJSON *root, const render_result *result, int *failed)
     cli_json_add(root, "reference", object, failed);
 }
 
-int render_report_difference(const render_result *result) {
+int render_is_different(const render_result *result, burnish_error *line) {
     const render_settings *settings = result->settings;
     const burnish_image *reference = &result->reference.image;
     const picture_verdict *verdict = &result->reference.verdict;
     const burnish_comparison *n = &verdict->numbers;
-    burnish_error line;
     if (!reference->pixels || verdict->passes) {
         return 0;
     }
     if (n->pixels == 0) {
-        cli_fail(&line, BURNISH_STATUS_OK,
+        cli_fail(line, BURNISH_STATUS_OK,
                  "%.300s: the picture has %d x %d pixels, the reference %d x %d",
                  settings->output.reference, result->picture->width, result->picture->height,
                  reference->width, reference->height);
     } else {
-        cli_fail(&line, BURNISH_STATUS_OK,
+        cli_fail(line, BURNISH_STATUS_OK,
                  "%.300s: the picture differs: error %.3g, allowed %.3g; %llu of %llu pixels in "
                  "%d, %d to %d, %d, SSIM %.4f, FLIP %.4f",
                  settings->output.reference, verdict->error,
@@ -104,6 +103,5 @@ int render_report_difference(const render_result *result) {
                  (unsigned long long)n->different_pixels, (unsigned long long)n->pixels,
                  n->bounds[0], n->bounds[1], n->bounds[2], n->bounds[3], n->ssim, n->flip);
     }
-    fprintf(stderr, "burnish: %s\n", line.text);
     return 1;
 }

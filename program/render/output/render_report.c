@@ -300,10 +300,27 @@ static void add_run(cJSON *root, const render_result *result, int *failed) {
                  failed);
 }
 
+cJSON *render_describe_failure(const char *input, int code, const char *message, double total,
+                               int *failed) {
+    cJSON *root = cJSON_CreateObject(), *times = cJSON_CreateObject();
+    cli_json_add(times, "total", cli_json_seconds(total), failed);
+    cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), failed);
+    cli_json_add(root, "input", cli_json_text(input), failed);
+    cli_json_add(root, "output", cJSON_CreateNull(), failed);
+    cli_json_add_outcome(root, code, message, failed);
+    cli_json_add(root, "seconds", times, failed);
+    cli_json_add(root, "hash", cJSON_CreateNull(), failed);
+    cli_json_add(root, "warnings", cJSON_CreateArray(), failed);
+    return root;
+}
+
 static cJSON *describe_result(const render_result *result, int *failed) {
+    burnish_error line;
+    const int code = render_judge_result(result, &line);
     cJSON *root = cJSON_CreateObject();
     cli_json_add(root, "burnish", cJSON_CreateString(burnish_version()), failed);
     add_mesh(root, result, failed);
+    cli_json_add_outcome(root, code, code != 0 ? line.text : NULL, failed);
     if (result->cell_count > 1) {
         add_cells(root, result, failed);
     } else {

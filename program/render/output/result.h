@@ -134,6 +134,13 @@ burnish_status render_write_json(const render_result *result, burnish_error *err
 /* The same object in one line, to be freed; NULL when out of memory. */
 char *render_json_line(const render_result *result);
 
+/* The object of an input without a picture; total: seconds, NAN for none. NULL when out of memory. */
+cJSON *render_describe_failure(const char *input, int code, const char *message, double total,
+                               int *failed);
+
+/* The exit code of what was drawn, BLANK or DIFFERENT with its line in *line, or 0. */
+int render_judge_result(const render_result *result, burnish_error *line);
+
 /* Prints one line of milliseconds on standard error. */
 void render_print_timing(const render_seconds *seconds);
 
@@ -149,8 +156,8 @@ burnish_status render_judge(render_result *result, burnish_error *error);
 /* Adds the key "reference" to the report. */
 void render_add_reference(cJSON *root, const render_result *result, int *failed);
 
-/* If the picture does not pass, prints one line on standard error and returns 1. */
-int render_report_difference(const render_result *result);
+/* If the picture does not pass, sets *line and returns 1. */
+int render_is_different(const render_result *result, burnish_error *line);
 
 /* ---- Whether it shows the object (legible.c) ---- */
 
