@@ -186,15 +186,21 @@ class Mesh(_burnish.Mesh):
             _AXES.get(up, (0, 1, 0)), _pairs(options),
         )  # fmt: skip
 
-    def render(self, *, planes: Words[Plane] = (), K: Any = None, R: Any = None, t: Any = None, **options: Unpack[Drawing]) -> Image:
+    @overload
+    def render(
+        self, *, planes: Words[Plane] = (), K: Any = None, R: Any = None, t: Any = None, cameras: None = None, **options: Unpack[Drawing]
+    ) -> Image: ...  # fmt: skip
+    @overload
+    def render(self, *, planes: Words[Plane] = (), cameras: Iterable[Any], **options: Unpack[Drawing]) -> list[Image]: ...
+    def render(self, **options: Any) -> Image | list[Image]:
         """Draws the mesh, with options of drawing.
 
         planes   of "depth", "normal", "triangle" and "coverage": arrays in the property planes of the image
         K, R, t  a camera as in OpenCV: a point p in the file's coordinates, of vertices + origin, is at K (R p + t), x right, y down,
                  z forward, and pixel (0, 0) has its middle there. Distortion and skew are not possible.
+        cameras  several pictures, as burnish.render() takes them
         """
-        _check("render", options, "draw", "load() or Mesh()")
-        return self._draw(_kinds(planes), _pairs(_cameras.join({**options}, K, R, t)))
+        return render(self, **options)
 
     @property
     def parts(self) -> list[Part]:

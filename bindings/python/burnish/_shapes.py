@@ -136,6 +136,8 @@ def arrays_of(thing: Any, tolerance: float | None = None) -> dict[str, Any]:
         return _of_meshio(thing)
     if hasattr(thing, "points") and hasattr(thing, "regular_faces"):  # PyVista
         return {"vertices": thing.points, "faces": thing.regular_faces, "up": "auto"}
+    if hasattr(thing, "vectors"):  # numpy-stl
+        return {"vertices": thing.vectors, "up": "auto"}
     if _has_buffer(thing):
         return {"vertices": thing}
     raise TypeError(

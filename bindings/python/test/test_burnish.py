@@ -322,6 +322,7 @@ class Cameras(unittest.TestCase):
         pictures = burnish.render(mesh, size=32, look="clay", cameras=[(K, self.R, self.t), {"views": "front"}])
         self.assertEqual([picture.hash for picture in pictures], [one.hash, mesh.render(size=32, views="front", look="clay").hash])
         self.assertEqual([p.hash for p in burnish.render(":knot", size=32, look="clay", cameras=[{"K": K, "R": self.R, "t": self.t}])], [one.hash])
+        self.assertEqual([p.hash for p in mesh.render(size=32, look="clay", cameras=[(K, self.R, self.t)])], [one.hash])
         self.assertEqual(burnish.render(mesh, cameras=[]), [])
 
     def test_sheet(self):
@@ -468,7 +469,8 @@ class Arrays(unittest.TestCase):
         for v in (vertices, padded[:, :3], numpy.asfortranarray(vertices), vertices.astype("f8")[::-1][::-1]):
             for f in (faces, faces.astype("u1"), numpy.asfortranarray(faces), wide[::2, ::2]):
                 self.assertEqual(self.draw(v, f), self.expected)
-        self.assertEqual(self.draw(vertices[faces]), self.expected)  # (N, 3, 3), as numpy-stl's vectors
+        self.assertEqual(self.draw(vertices[faces]), self.expected)
+        self.assertEqual(burnish.load(SimpleNamespace(vectors=vertices[faces]), up="+Y").faces.shape, (len(faces), 3))  # numpy-stl
         self.assertEqual(burnish.render(vertices[faces], size=64).hash, self.expected)
 
     @unittest.skipUnless(numpy, "no NumPy")
