@@ -15,7 +15,8 @@ enum {
     FEW = 12,       /* vertices that may be strays, or ... */
     SHARE = 100     /* ... one of so many */
 };
-static const double AREA = 0.01; /* of strays, at most, in that of the rest */
+/* Area of strays in that of the rest, at most, per factor by which they enlarge the box. */
+static const double AREA = 0.00125, MOST_AREA = 0.25;
 /* Times the rest: strays beyond it may be connected to it, and are left out, as the floats of the
  * raster's space would overflow. */
 static const double DRAWN = 1000;
@@ -56,7 +57,8 @@ static int cut_axis(const burnish_mesh *mesh, int axis, size_t step, burnish_box
         }
     }
     const size_t others = find_core(bins, &first, &end);
-    if (others == 0 || end - first > CORE || (others > FEW && others > count / SHARE)) {
+    if (others == 0 || 2 * others >= count || end - first > CORE ||
+        (others > FEW && others > count / SHARE)) {
         return 0;
     }
     rest->low[axis] = first > 0 ? (float)(low + side * (first - 0.5) / BINS) : rest->low[axis];
@@ -64,22 +66,18 @@ static int cut_axis(const burnish_mesh *mesh, int axis, size_t step, burnish_box
     return 1;
 }
 
-/* The box without strays. */
-static burnish_box cut_strays(const burnish_mesh *mesh, burnish_box all, size_t step) {
-    int was_cut = 1;
-    for (int i = 0; i < TIMES && was_cut; ++i) {
-        const double longest = burnish_box_longest_side(&all);
-        was_cut = 0;
-        for (int axis = 0; axis < 3 && !was_cut; ++axis) {
-            was_cut = (double)all.high[axis] - (double)all.low[axis] > longest / 4 &&
-                      cut_axis(mesh, axis, step, &all);
-        }
-        if (was_cut) {
+/* Cuts strays along one axis off the box. Returns whether there are any. */
+static int cut_once(const burnish_mesh *mesh, size_t step, burnish_box *all) {
+    const double longest = burnish_box_longest_side(all);
+    for (int axis = 0; axis < 3; ++axis) {
+        if ((double)all->high[axis] - (double)all->low[axis] > longest / 4 &&
+            cut_axis(mesh, axis, step, all)) {
             burnish_box_inside(mesh->attributes[BURNISH_POSITION], mesh->view.vertex_count, step,
-                               &all, &all);
+                               all, all);
+            return 1;
         }
     }
-    return all;
+    return 0;
 }
 
 static double area_of(const float *a, const float *b, const float *c) {
@@ -99,19 +97,17 @@ static int corners_inside(const burnish_mesh *mesh, const burnish_box *rest, siz
 
 /* The number of triangles outside the rest; 0 if they are no strays: too large, too many, or connected
  * to it.
- *   first  receives the first one */
-static size_t count_strays(const burnish_mesh *mesh, const burnish_box *rest, int may_touch,
-                           size_t *first) {
+ *   times  how much larger the box is with them */
+static size_t count_strays(const burnish_mesh *mesh, const burnish_box *rest, double times) {
+    const int may_touch = times > DRAWN;
+    const double share = AREA * times < MOST_AREA ? AREA * times : MOST_AREA;
     const float *positions = mesh->attributes[BURNISH_POSITION];
     double areas[2] = {0, 0};
     size_t count = 0;
     for (size_t i = mesh->view.triangle_count; i-- > 0;) {
         const uint32_t *corners = mesh->indices + 3 * i;
         const int inside = corners_inside(mesh, rest, i);
-        if (inside < 3) {
-            ++count;
-            *first = i;
-        }
+        count += inside < 3;
         if (inside == 0 || inside == 3) {
             areas[inside / 3] +=
                 area_of(positions + 3 * (size_t)corners[0], positions + 3 * (size_t)corners[1],
@@ -121,7 +117,7 @@ static size_t count_strays(const burnish_mesh *mesh, const burnish_box *rest, in
         }
     }
     const int are_few = count <= mesh->view.triangle_count / 4 * 3;
-    return are_few && (areas[0] <= AREA * areas[1] || may_touch) ? count : 0;
+    return are_few && (areas[0] <= share * areas[1] || may_touch) ? count : 0;
 }
 
 /* Leaves out triangles outside the rest; their vertices, now unused, move into it. */
@@ -149,26 +145,50 @@ static void drop_strays(burnish_mesh *mesh, const burnish_box *rest) {
     }
 }
 
+/* The box without strays, of which *strays receives the number. Small shapes have gaps of their own: a
+ * cut counts if what it takes away is apart. */
+static burnish_box cut_strays(const burnish_mesh *mesh, const burnish_box *all, size_t *strays) {
+    burnish_box rest = *all, next = *all;
+    for (int i = 0; i < TIMES && cut_once(mesh, 1, &next); ++i) {
+        const double left = burnish_box_longest_side(&next);
+        const size_t found =
+            left > 0 ? count_strays(mesh, &next, burnish_box_longest_side(&rest) / left) : 0;
+        if (found > 0) {
+            rest = next;
+            *strays = found;
+        }
+    }
+    return rest;
+}
+
+/* A corner of the first triangle outside the rest. */
+static void find_place(const burnish_mesh *mesh, const burnish_box *rest, float place[3]) {
+    const float *p = mesh->attributes[BURNISH_POSITION];
+    size_t corner = 0;
+    while (burnish_box_holds(rest, p + 3 * (size_t)mesh->indices[corner])) {
+        ++corner;
+    }
+    memcpy(place, p + 3 * (size_t)mesh->indices[corner], 3 * sizeof *place);
+}
+
 size_t burnish_find_strays(burnish_mesh *mesh, float low[3], float high[3], float place[3]) {
     const size_t count = mesh->view.vertex_count, step = count / SAMPLES + 1;
     burnish_box all;
     burnish_bound_positions(mesh->attributes[BURNISH_POSITION], count, all.low, all.high);
     const double size = burnish_box_longest_side(&all);
-    const burnish_box core = cut_strays(mesh, all, step);
+    burnish_box core = all;
+    for (int i = 0; i < TIMES && cut_once(mesh, step, &core); ++i) {
+    }
     if (!(size > 0) || burnish_box_longest_side(&core) > size * (CORE + 1) / BINS) {
         return 0;
     }
-    const burnish_box rest = cut_strays(mesh, all, 1);
-    const double left = burnish_box_longest_side(&rest);
-    size_t first = 0;
-    const size_t strays =
-        left > 0 && left < size ? count_strays(mesh, &rest, size > DRAWN * left, &first) : 0;
+    size_t strays = 0;
+    const burnish_box rest = cut_strays(mesh, &all, &strays);
     if (strays > 0) {
-        const float *p = mesh->attributes[BURNISH_POSITION];
-        memcpy(place, p + 3 * (size_t)mesh->indices[3 * first], 3 * sizeof *place);
+        find_place(mesh, &rest, place);
         memcpy(low, rest.low, sizeof rest.low);
         memcpy(high, rest.high, sizeof rest.high);
-        mesh->has_strays = size <= DRAWN * left;
+        mesh->has_strays = size <= DRAWN * burnish_box_longest_side(&rest);
     }
     if (strays > 0 && !mesh->has_strays) {
         drop_strays(mesh, &rest);
