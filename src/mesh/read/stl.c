@@ -15,7 +15,7 @@
 enum { LOOKED_AT = 512 };
 
 /* Events, in the order of the file. */
-enum { NORMAL, EXTRA, END, AFTER, BEFORE, SPLIT, CORNERS, NOTE_COUNT, SOLID = NOTE_COUNT };
+enum { NORMAL, EXTRA, END, AFTER, BEFORE, SPLIT, CORNERS, START, NOTE_COUNT, SOLID = NOTE_COUNT };
 
 typedef struct stl_state {
     burnish_reader *reader;
@@ -149,7 +149,18 @@ static int read_to_outer(stl_parser *stl) {
                                                      : fail_expected(stl, "\"normal\"", word);
 }
 
-/* Three numbers after "vertex"; *is_bad: 1 if one of them is not finite. */
+/* Whether a word that is not a number can stand for one: not if it is the next keyword. */
+static int stands_for_number(burnish_token word) {
+    static const char *const keywords[] = {"vertex", "endloop", "endfacet", "facet", "endsolid"};
+    for (size_t i = 0; i < sizeof keywords / sizeof *keywords; ++i) {
+        if (burnish_token_is_caseless(word, keywords[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* Three numbers after "vertex"; *is_bad: 1 if one of them is not finite, or is a word. */
 static inline __attribute__((always_inline)) int read_vertex(stl_parser *stl, float position[3],
                                                              int *is_bad) {
     for (int i = 0; i < 3; ++i) {
@@ -165,7 +176,7 @@ static inline __attribute__((always_inline)) int read_vertex(stl_parser *stl, fl
             }
             number = BURNISH_NUMBER_RANGE;
         }
-        if (number == BURNISH_NUMBER_GARBAGE) {
+        if (number == BURNISH_NUMBER_GARBAGE && !stands_for_number(word)) {
             return fail_number(stl, "coordinate", word, number);
         }
         if (!*is_bad && !burnish_chunk_pardon_number(stl->chunk, word, number)) {
@@ -236,6 +247,11 @@ static void read_facet(stl_parser *stl, burnish_token facet) {
     }
 }
 
+/* Whether a line before "solid" is a comment. */
+static int is_comment(burnish_token word) {
+    return memchr("#;%!/*", *word.bytes, 6) != NULL;
+}
+
 /* Every chunk except the first begins at a "facet", within a solid, and ends before one. "facet" at
  * the start of a line is always within a solid, so a chunk may begin at any of them. */
 static void stl_parse(const void *state, burnish_chunk *chunk) {
@@ -251,8 +267,11 @@ static void stl_parse(const void *state, burnish_chunk *chunk) {
             chunk->end = chunk->text_end;
             return;
         }
-        if (seen && burnish_token_is_caseless(word, "facet")) {
-            in_solid = 1;
+        if (burnish_token_is_caseless(word, "facet")) {
+            if (!seen) {
+                burnish_chunk_note(chunk, START, word.bytes);
+            }
+            in_solid = seen = 1;
             if (word.bytes >= chunk->end) {
                 chunk->end = chunk->bounded ? chunk->end : word.bytes;
                 return;
@@ -271,8 +290,11 @@ static void stl_parse(const void *state, burnish_chunk *chunk) {
             }
             in_solid = begins;
             seen = 1;
-        } else if (!seen && *word.bytes == '#') {
+        } else if (!seen && is_comment(word)) {
             burnish_chunk_note(chunk, BEFORE, word.bytes);
+        } else if (in_solid && burnish_token_is_caseless(word, "end")) {
+            burnish_chunk_note(chunk, END, word.bytes);
+            in_solid = 0;
         } else if (in_solid || !seen) {
             fail_expected(&stl, in_solid ? "\"facet\" or \"endsolid\"" : "\"solid\"", word);
         } else {
@@ -311,7 +333,8 @@ static burnish_status stl_accept(void *state, const burnish_chunk *chunk) {
                                            [AFTER] = "text after \"endsolid\" was ignored",
                                            [BEFORE] = "text before \"solid\" was ignored",
                                            [SPLIT] = "\"end\" was joined with the next word",
-                                           [CORNERS] = "a facet has more than 3 vertices"};
+                                           [CORNERS] = "a facet has more than 3 vertices",
+                                           [START] = "\"solid\" is missing"};
     stl_state *stl = state;
     for (size_t i = 0; i < chunk->event_count; ++i) {
         const burnish_chunk_event *event = &chunk->events[i];
@@ -371,8 +394,12 @@ static int starts_as_text(const uint8_t *bytes, size_t size) {
     burnish_lexer lexer = burnish_lexer_open(bytes, size, 0);
     burnish_token word;
     while (burnish_lexer_word(&lexer, &word)) {
-        if (*word.bytes != '#') { /* a comment */
-            return burnish_token_is_caseless(word, "solid");
+        if (!is_comment(word)) {
+            burnish_token next = {0};
+            return burnish_token_is_caseless(word, "solid") ||
+                   (burnish_token_is_caseless(word, "facet") &&
+                    burnish_lexer_token(&lexer, &next) &&
+                    burnish_token_is_caseless(next, "normal"));
         }
         burnish_lexer_rest(&lexer);
     }

@@ -34,7 +34,7 @@ static const struct {
     {MODEL("<object id='1'><mesh>" TETRAHEDRON
            "<triangles><triangle v1='0' v2='1' v3='4'/></triangles></mesh></object>",
            ITEM_1),
-     "3D/a.model:4: v3 4 is out of range; there are 4 vertices, counted from 0"},
+     "3D/a.model:4: v3 \"4\" is out of range; there are 4 vertices, counted from 0"},
     {MODEL("<object id='1'><mesh>" TETRAHEDRON "</mesh></object>", ITEM_1),
      "no triangles are built; export the model's meshes"},
     {MODEL("<object id='1'/>", "<item objectid='1' transform=''/>"),
@@ -67,8 +67,23 @@ static void test_left_out(void) {
         fault);
     CHECK1(got.triangle_count == 4 && got.warning_count == 1);
     CHECK_TEXT(got.warnings[0],
-               "mesh.3mf: 3D/a.model:4: v3 9 is out of range; there are 4 vertices, "
+               "mesh.3mf: 3D/a.model:4: v3 \"9\" is out of range; there are 4 vertices, "
                "counted from 0; it was left out");
+    CHECK_OK(
+        read_3mf(MODEL("<object id='1'><mesh>" TETRAHEDRON "<triangles><triangle v1='0.0' v2='1' "
+                       "v3='2'/><triangle v1='0' v2='x'/>" FACES "</triangles></mesh></object>",
+                       ITEM_1)),
+        fault);
+    CHECK1(got.triangle_count == 5 && got.warning_count == 2);
+    CHECK_OK(
+        read_3mf("\n<model unit='Inch'><resources><object id='1'><mesh><vertices><vertex x='0,5' "
+                 "y='1D0' "
+                 "z='0'/><vertex x='1' y='0' z='0'/><vertex x='0' y='1' z='0'/><vertex x='one' "
+                 "y='1'/></vertices><triangles><triangle v1='0' v2='1' v3='2'/><triangle "
+                 "v1='0' v2='1' v3='3'/></triangles></mesh></object></resources><build>" ITEM_1
+                 "</build></model>"),
+        fault);
+    CHECK1(got.triangle_count == 1 && got.warning_count == 2);
 }
 
 /* Objects that hold the one before twice: 2^n of them, from n lines. */

@@ -572,6 +572,27 @@ static const struct {
      "(and 4 more like it)"},
     {"a.stl", "solid\n" STL_FACET(STL_VERTICES "vertex 0 0.5 0.5\n") "endsolid\n", 2,
      "a.stl:2: a facet has more than 3 vertices"},
+    {"a.stl", "; by x\n/* 1 */\nsolid\n" STL_GOOD "endsolid\n", 1,
+     "a.stl:1: text before \"solid\" was ignored (and 1 more like it)"},
+    {"a.stl", "solid\n" STL_GOOD "end\n", 1, "a.stl:9: \"endsolid\" is missing"},
+    {"a.stl", STL_GOOD "endsolid\n", 1, "a.stl:1: \"solid\" is missing"},
+    {"a.stl",
+     "solid\n" STL_GOOD STL_FACET("vertex 0 None 0\nvertex 1 0 0\nvertex 0 1 0\n") "endsolid\n", 1,
+     "a.stl:11: coordinate \"None\" is not a number; write it like 1.5 or -2e-3; it was left out"},
+    {"a.obj", TRIANGLE "fo 1 2 3\n", 1, "a.obj:4: \"fo\" has an unusual form; it was read"},
+    {"a.pcd",
+     "# .pcd v.7\nversion .7\nfields x y z\nsize 4 4 4\ntype f f f\ncount 1 1 1\nwidth 2\n"
+     "height 1\npoints 2\ndata ASCII\n0 0 0\n1 1 1\n",
+     2, NULL},
+    {"a.ply", "\n# by x\ncomment y\n  " PLY_XYZ(3) PLY_FACES(1) PLY_TRIANGLE "3 0 1 2\n", 1,
+     "a.ply: blanks or comments before \"ply\" were ignored"},
+    {"a.off",
+     "OFF\n11 13 0\n0 0 0\n3 0 0\n0 2 0\n3 2 0\n0 0 1\n3 0 1\n0 2 1\n3 2 1\n"
+     "1e5 0 0\n100001 0 0\n1e5 1 0\n3 0 2 1\n3 1 2 3\n3 4 5 6\n3 5 7 6\n3 0 1 4\n3 1 5 4\n3 2 6 3\n"
+     "3 3 6 7\n3 0 4 2\n3 2 4 6\n3 1 3 5\n3 3 7 5\n3 8 9 10\n",
+     12,
+     "a.off: 1 of 13 triangles are far from the others, near 100000, 0, 0, so the mesh is drawn "
+     "without them; remove them"},
     {"a.ply", PLY_XYZ(4) PLY_FACES(3) PLY_TRIANGLE "nan nan 1\n3 0 1 2\n4 0 1 2 3\n3 0 1 -1\n", 1,
      "a.ply:13: vertex 3: coordinate x is not finite or beyond 3.4e38; repair the mesh; it was "
      "left "

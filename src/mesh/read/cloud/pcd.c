@@ -45,7 +45,7 @@ static burnish_status read_fields(pcd_file *pcd, burnish_lexer *lexer, char keyw
             *field = (pcd_field){.name = word, .size = 4, .count = 1};
             pcd->field_count = i + 1;
         } else if (keyword == 'T') {
-            field->kind = word.bytes[0];
+            field->kind = word.bytes[0] & (uint8_t)~0x20;
         } else if (burnish_parse_integer(word, &value) != BURNISH_NUMBER_OK || value < 0 ||
                    value > VALUES) {
             return FAIL(pcd, word.bytes, "\"%s\" is not a size or count of a field; correct it",
@@ -63,18 +63,19 @@ static burnish_status read_pcd_line(pcd_file *pcd, burnish_lexer *lexer) {
     if (!burnish_lexer_token(lexer, &keyword) || *keyword.bytes == '#') {
         return BURNISH_STATUS_OK;
     }
-    if (burnish_token_is(keyword, "FIELDS") || burnish_token_is(keyword, "COLUMNS")) {
+    if (burnish_token_is_caseless(keyword, "fields") ||
+        burnish_token_is_caseless(keyword, "columns")) {
         return read_fields(pcd, lexer, 'F');
     }
-    if (burnish_token_is(keyword, "SIZE") || burnish_token_is(keyword, "TYPE") ||
-        burnish_token_is(keyword, "COUNT")) {
-        return read_fields(pcd, lexer, (char)*keyword.bytes);
+    if (burnish_token_is_caseless(keyword, "size") || burnish_token_is_caseless(keyword, "type") ||
+        burnish_token_is_caseless(keyword, "count")) {
+        return read_fields(pcd, lexer, (char)(*keyword.bytes & ~0x20));
     }
-    int64_t *number = burnish_token_is(keyword, "WIDTH")    ? &pcd->width
-                      : burnish_token_is(keyword, "HEIGHT") ? &pcd->height
-                      : burnish_token_is(keyword, "POINTS") ? &pcd->points
-                                                            : NULL;
-    const int is_data = burnish_token_is(keyword, "DATA");
+    int64_t *number = burnish_token_is_caseless(keyword, "width")    ? &pcd->width
+                      : burnish_token_is_caseless(keyword, "height") ? &pcd->height
+                      : burnish_token_is_caseless(keyword, "points") ? &pcd->points
+                                                                     : NULL;
+    const int is_data = burnish_token_is_caseless(keyword, "data");
     if ((number || is_data) && !burnish_lexer_token(lexer, &word)) {
         return FAIL(pcd, lexer->next, "the line has no value");
     }
@@ -83,10 +84,10 @@ static burnish_status read_pcd_line(pcd_file *pcd, burnish_lexer *lexer) {
                     burnish_token_quote(word).text);
     }
     if (is_data) {
-        pcd->data = burnish_token_is(word, "ascii")               ? PCD_ASCII
-                    : burnish_token_is(word, "binary")            ? PCD_BINARY
-                    : burnish_token_is(word, "binary_compressed") ? PCD_COMPRESSED
-                                                                  : PCD_NONE;
+        pcd->data = burnish_token_is_caseless(word, "ascii")               ? PCD_ASCII
+                    : burnish_token_is_caseless(word, "binary")            ? PCD_BINARY
+                    : burnish_token_is_caseless(word, "binary_compressed") ? PCD_COMPRESSED
+                                                                           : PCD_NONE;
         if (pcd->data == PCD_NONE) {
             return FAIL(pcd, word.bytes,
                         "data \"%s\" is unknown; use ascii, binary or binary_compressed",
@@ -306,10 +307,10 @@ static burnish_status pcd_read(burnish_reader *reader) {
 static int pcd_recognise(const uint8_t *bytes, size_t size) {
     burnish_lexer lexer = burnish_lexer_open(bytes, size, 0);
     burnish_token word, version;
-    if (size >= 6 && memcmp(bytes, "# .PCD", 6) == 0) {
+    if (size >= 6 && burnish_bytes_are_caseless(bytes, (const uint8_t *)"# .pcd", 6)) {
         return 2;
     }
-    return burnish_lexer_token(&lexer, &word) && burnish_token_is(word, "VERSION") &&
+    return burnish_lexer_token(&lexer, &word) && burnish_token_is_caseless(word, "version") &&
            burnish_lexer_token(&lexer, &version) &&
            (burnish_token_is(version, ".7") || burnish_token_is(version, "0.7"));
 }

@@ -442,7 +442,8 @@ static int is_one_of(burnish_token keyword, const char *const *words) {
     return *words != NULL;
 }
 
-/* v, vn, vt and f are also read in capitals. Returns what makes the letters small. */
+/* v, vn, vt and f are also read in capitals, and f by its old name, fo. Returns what makes the letters
+ * small. */
 static uint8_t take_capitals(obj_parser *obj, burnish_token keyword) {
     static const char *const words[] = {"v", "f", "vn", "vt"};
     for (size_t i = 0; i < sizeof words / sizeof *words && keyword.bytes[0] < 'a'; ++i) {
@@ -474,6 +475,9 @@ static void read_statement(obj_parser *obj) {
         } else if (first != 's') {
             burnish_chunk_note(obj->chunk, BURNISH_OBJ_OTHER, keyword.bytes);
         }
+    } else if (burnish_token_is(keyword, "fo")) {
+        burnish_chunk_note_odd(obj->chunk, keyword);
+        read_face(obj, keyword.bytes);
     } else if (keyword.size == 2 && first == 'v') {
         if (second == 'n') {
             read_normal(obj, keyword.bytes);

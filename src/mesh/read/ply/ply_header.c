@@ -380,6 +380,19 @@ burnish_status burnish_ply_check_header(burnish_reader *reader, burnish_ply_head
     return BURNISH_STATUS_OK;
 }
 
+/* Skips blank lines and comments before "ply". */
+static void skip_before(burnish_lexer *lexer) {
+    burnish_lexer line = *lexer;
+    burnish_token word;
+    while (!burnish_lexer_token(&line, &word) || *word.bytes == '#' ||
+           burnish_token_is_caseless(word, "comment")) {
+        if (!burnish_lexer_next_line(&line)) {
+            return;
+        }
+        *lexer = line;
+    }
+}
+
 burnish_status burnish_ply_read_header(burnish_reader *reader, burnish_ply_header *header) {
     const burnish_reader_input *input = reader->input;
     header_state ply = {.reader = reader,
@@ -388,6 +401,7 @@ burnish_status burnish_ply_read_header(burnish_reader *reader, burnish_ply_heade
     burnish_token magic = {0};
     int done = 0;
     *header = (burnish_ply_header){0};
+    skip_before(&ply.lexer);
     if (!burnish_lexer_token(&ply.lexer, &magic) || !burnish_token_is_caseless(magic, "ply")) {
         return burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, input->bytes,
                                    "expected the line \"ply\", found \"%s\"; check the format",
@@ -395,7 +409,10 @@ burnish_status burnish_ply_read_header(burnish_reader *reader, burnish_ply_heade
     }
     note_capitals(&ply, magic);
     if (magic.bytes > input->bytes) {
-        burnish_reader_note(reader, &reader->odd, NULL, "the file begins with a byte order mark");
+        burnish_reader_note(reader, &reader->odd, NULL, "%s",
+                            *input->bytes == 0xEF
+                                ? "the file begins with a byte order mark"
+                                : "blanks or comments before \"ply\" were ignored");
     }
     while (!done) {
         if (!burnish_lexer_next_line(&ply.lexer)) {

@@ -79,8 +79,9 @@ static void begin_model(model_state *model, burnish_threemf_xml *xml,
     if (!unit) {
         unit = "millimeter";
     }
+    const burnish_token word = {(const uint8_t *)unit, strlen(unit)};
     for (size_t i = 0; i < sizeof units / sizeof *units && !mesh->unit; ++i) {
-        mesh->unit = strcmp(unit, units[i]) == 0 ? units[i] : NULL;
+        mesh->unit = burnish_token_is_caseless(word, units[i]) ? units[i] : NULL;
     }
     if (!mesh->unit) {
         burnish_threemf_fail(
@@ -253,16 +254,16 @@ static void add_vertex(model_state *model, burnish_threemf_xml *xml,
 
 /* Whether a triangle can be drawn; otherwise it is left out. */
 static int has_vertices(const model_state *model, burnish_threemf_xml *xml,
-                        const uint32_t corners[3]) {
+                        const char *const texts[3], const uint32_t corners[3]) {
     burnish_threemf *threemf = model->threemf;
     int good = 1;
     for (int i = 0; i < 3 && good; ++i) {
         if (corners[i] >= model->vertex_count) {
             burnish_reader_note(threemf->reader, &threemf->reader->damage, NULL,
-                                "%.80s:%u: v%d %u is out of range; there are %u vertices, counted "
-                                "from 0",
-                                xml->part, burnish_threemf_line(xml), i + 1, corners[i],
-                                model->vertex_count);
+                                "%.80s:%u: v%d \"%.20s\" is out of range; there are %u vertices, "
+                                "counted from 0",
+                                xml->part, burnish_threemf_line(xml), i + 1,
+                                texts[i] ? texts[i] : "", model->vertex_count);
             return 0;
         }
         const float *p = threemf->vertices.items[object_of(model)->first_vertex + corners[i]].xyz;
@@ -285,19 +286,13 @@ static int read_properties(const burnish_threemf_object *object, burnish_threemf
 static void add_triangle(model_state *model, burnish_threemf_xml *xml,
                          const char *const *attributes) {
     static const char *const names[3] = {"v1", "v2", "v3"};
+    const char *texts[3];
     burnish_threemf *threemf = model->threemf;
     burnish_threemf_object *object = object_of(model);
     burnish_threemf_triangle triangle = {.paint = 0};
     for (int i = 0; i < 3; ++i) {
-        const char *text = burnish_threemf_attribute(attributes, names[i]);
-        triangle.corners[i] = BURNISH_THREEMF_NONE;
-        if (text && *text == '-') { /* out of range */
-            continue;
-        }
-        if (!burnish_threemf_whole(xml, attributes, names[i], BURNISH_THREEMF_NONE,
-                                   &triangle.corners[i])) {
-            return;
-        }
+        texts[i] = burnish_threemf_attribute(attributes, names[i]);
+        triangle.corners[i] = burnish_threemf_corner(xml, texts[i]);
     }
     if (!read_properties(object, xml, attributes, &triangle)) {
         return;
@@ -308,7 +303,7 @@ static void add_triangle(model_state *model, burnish_threemf_xml *xml,
         code = burnish_threemf_prefixed(attributes, "mmu_segmentation");
     }
     triangle.source = model->triangle_count++;
-    if (!has_vertices(model, xml, triangle.corners)) {
+    if (!has_vertices(model, xml, texts, triangle.corners)) {
         return;
     }
     if (code && *code && burnish_threemf_is_paint(code)) {

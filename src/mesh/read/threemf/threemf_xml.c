@@ -135,6 +135,12 @@ static burnish_token token_of(const char *text) {
     return token;
 }
 
+static void note_odd(burnish_threemf_xml *xml, burnish_token token) {
+    burnish_reader_note(xml->threemf->reader, &xml->threemf->reader->odd, NULL,
+                        "%.80s:%u: \"%s\" has an unusual form; it was read", xml->part,
+                        burnish_threemf_line(xml), burnish_token_quote(token).text);
+}
+
 int burnish_threemf_float(burnish_threemf_xml *xml, const char *const *attributes, const char *name,
                           float *value) {
     const char *text = burnish_threemf_attribute(attributes, name);
@@ -147,18 +153,39 @@ int burnish_threemf_float(burnish_threemf_xml *xml, const char *const *attribute
             return 1;
         }
     }
-    const burnish_token token = token_of(text ? text : "");
-    const burnish_number_status status = burnish_parse_float(token, value);
-    const burnish_number_text fault = burnish_describe_number(name, token, status);
-    if (status == BURNISH_NUMBER_GARBAGE) {
-        return burnish_threemf_fail(xml, BURNISH_STATUS_FORMAT, "%s", fault.text);
+    burnish_lexer lexer = burnish_lexer_open((const uint8_t *)(text ? text : ""), size, 0);
+    burnish_token token = token_of(text ? text : "");
+    burnish_number_status status = BURNISH_NUMBER_GARBAGE;
+    const size_t length = token.size;
+    burnish_lexer_skip_blank_lines(&lexer);
+    if (!burnish_lexer_float(&lexer, &token, value, &status) || token.size < length) {
+        status = BURNISH_NUMBER_GARBAGE; /* no word, or several */
     }
-    if (status != BURNISH_NUMBER_OK) {
+    if (status == BURNISH_NUMBER_ODD) {
+        note_odd(xml, token);
+    } else if (status != BURNISH_NUMBER_OK) {
         *value = __builtin_nanf("");
         burnish_reader_note(xml->threemf->reader, &xml->threemf->reader->damage, NULL,
-                            "%.80s:%u: %s", xml->part, burnish_threemf_line(xml), fault.text);
+                            "%.80s:%u: %s", xml->part, burnish_threemf_line(xml),
+                            burnish_describe_number(name, token, status).text);
     }
     return 1;
+}
+
+uint32_t burnish_threemf_corner(burnish_threemf_xml *xml, const char *text) {
+    const burnish_token token = token_of(text ? text : "");
+    int64_t number;
+    double value;
+    if (burnish_parse_integer(token, &number) == BURNISH_NUMBER_OK) {
+        return number >= 0 && number < BURNISH_THREEMF_NONE ? (uint32_t)number
+                                                            : BURNISH_THREEMF_NONE;
+    }
+    if (burnish_parse_double(token, &value) != BURNISH_NUMBER_OK || !(value >= 0) ||
+        value >= BURNISH_THREEMF_NONE || value > (double)(uint32_t)value) {
+        return BURNISH_THREEMF_NONE;
+    }
+    note_odd(xml, token);
+    return (uint32_t)value;
 }
 
 int burnish_threemf_whole(burnish_threemf_xml *xml, const char *const *attributes, const char *name,
@@ -256,6 +283,15 @@ static void fail_syntax(burnish_threemf_xml *xml) {
     }
 }
 
+/* Blank characters before a declaration, which XML forbids: their number. */
+static size_t count_blanks(const char *text, size_t size) {
+    size_t blanks = 0;
+    while (blanks < size && strchr(" \t\r\n", text[blanks]) && text[blanks]) {
+        ++blanks;
+    }
+    return blanks;
+}
+
 /* One piece of a part; *is_last: it was the last one. Returns 0 on failure. */
 static int parse_piece(burnish_threemf_xml *xml, burnish_zip_stream *stream, int *is_last) {
     burnish_threemf *threemf = xml->threemf;
@@ -269,6 +305,10 @@ static int parse_piece(burnish_threemf_xml *xml, burnish_zip_stream *stream, int
     *is_last = stream->has_ended;
     if (threemf->status != BURNISH_STATUS_OK) {
         return 0;
+    }
+    if (stream->written == size) { /* the first piece; line ends there do not count as lines */
+        const size_t blanks = count_blanks(piece, size);
+        memmove(piece, (char *)piece + blanks, size -= blanks);
     }
     if (XML_ParseBuffer(xml->parser, (int)size, *is_last) != XML_STATUS_OK) {
         fail_syntax(xml);

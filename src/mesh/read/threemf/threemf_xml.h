@@ -86,10 +86,13 @@ const char *burnish_threemf_attribute(const char *const *attributes, const char 
 /* The same for an attribute with any prefix. */
 const char *burnish_threemf_prefixed(const char *const *attributes, const char *name);
 
-/* A coordinate, which is required; NaN for one that is not finite, which is noted as damage. Returns
- * 0 on failure. */
+/* A coordinate, which is required; NaN for one that is not a finite number, which is noted as damage.
+ * Returns 1. */
 int burnish_threemf_float(burnish_threemf_xml *xml, const char *const *attributes, const char *name,
                           float *value);
+
+/* A corner's vertex, also as "2.0"; NONE if it is not a whole number below that. */
+uint32_t burnish_threemf_corner(burnish_threemf_xml *xml, const char *text);
 
 /* A whole number below NONE. If it is missing, `fallback` is used, or the function fails if that is
  * NONE. Returns 0 on failure. */
