@@ -1,6 +1,7 @@
 /* The parser of the command line, which reads a command's table of flags. */
 #include "base/cli/options.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,6 +9,13 @@
 #include "base/show_text.h"
 
 int (*cli_is_input_name)(const char *name);
+
+const char *cli_open_reason(const char *path, int code) {
+    return code != ENOENT        ? strerror(code)
+           : strstr(path, "://") ? "it is an address; download the file first"
+           : strpbrk(path, "*?") ? "No such file; shells replace patterns only outside quotes"
+                                 : strerror(code);
+}
 
 void cli_clean(char *text) {
     burnish_clean_text(text);
@@ -181,8 +189,11 @@ static const cli_flag *find_letter(const cli_command *command, char letter) {
     return NULL;
 }
 
-/* The flag that a whole argument names: `--output --json` lacks a value. */
+/* The flag that a whole argument names: `--output --json` and `--turntable -o` lack a value. */
 static const cli_flag *flag_of_argument(const cli_command *command, const char *argument) {
+    if (argument[0] == '-' && argument[1] && !argument[2]) {
+        return find_letter(command, argument[1]);
+    }
     if (strncmp(argument, "--", 2) != 0 || !argument[2]) {
         return NULL;
     }

@@ -226,6 +226,9 @@ static inline burnish_status cli_errno_status(int code) {
     return code == ENOMEM ? BURNISH_STATUS_MEMORY : BURNISH_STATUS_READ;
 }
 
+/* The reason of an errno of a file that can't be opened: the system's, or what its name shows. */
+const char *cli_open_reason(const char *path, int code);
+
 /* Replaces by '?' what is not UTF-8 or controls a terminal (base/show_text.h), such as ends of lines. */
 void cli_clean(char *text);
 

@@ -91,7 +91,9 @@ static file_kind kind_of(const char *name, const char *path) {
     if (is_archive) {
         return holds_one_model(path) ? FILE_MESH : FILE_PASSED_OVER;
     }
-    return cli_own_format(name) != BURNISH_FORMAT_AUTO ? FILE_MESH : FILE_OTHER;
+    return cli_own_format(name) == BURNISH_FORMAT_AUTO ? FILE_OTHER
+           : import_may_hold_mesh(path)                ? FILE_MESH
+                                                       : FILE_PASSED_OVER;
 }
 
 static int is_shown(const struct dirent *entry) {

@@ -525,7 +525,7 @@ static char *run_item(runner *r, uint32_t index, batch_reply *reply) {
     burnish_status status = BURNISH_STATUS_OK;
     if (*item->input != ':' && !batch_hash_file(item->input, &hash, 0)) {
         status = cli_fail(&error, BURNISH_STATUS_READ, "%.300s: can't be read: %s", item->input,
-                          errno == EINVAL ? "it is no file" : strerror(errno));
+                          errno == EINVAL ? "it is no file" : cli_open_reason(item->input, errno));
     }
     *reply = (batch_reply){.index = index};
     if (status == BURNISH_STATUS_OK && is_unchanged(r->b, item, past, hash)) {

@@ -285,7 +285,7 @@ burnish_status cli_read_bytes(const char *path, uint64_t max_bytes, cli_recognis
     *size = 0;
     if (!file) {
         return cli_fail(error, cli_errno_status(errno), "%.200s: can't be opened: %s", path,
-                        strerror(errno));
+                        cli_open_reason(path, errno));
     }
     const burnish_status status = read_stream(standard ? "standard input" : path, file, max_bytes,
                                               recognise, bytes, size, error);

@@ -29,7 +29,7 @@ static burnish_status open_path(const char *path, int *input, burnish_error *err
     *input = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY);
     if (*input < 0) {
         return cli_fail(error, cli_errno_status(errno), "%.300s: can't be opened: %s", path,
-                        strerror(errno));
+                        cli_open_reason(path, errno));
     }
     if (fstat(*input, &state) != 0 || S_ISDIR(state.st_mode)) {
         close(*input);

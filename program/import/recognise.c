@@ -32,6 +32,7 @@ static const struct {
     {"mesh", "\x10\0[MeshSerializer", 17},
     {"ms3d", "MS3D", 0},
     {"ndo", "nendo", 0},
+    {"off", NULL, 0},
     {"p21", "ISO-10303-21", 0},
     {"p21", "/*", 0},
     {"pmx", "PMX", 0},
@@ -99,6 +100,16 @@ static int has_faces(const char *path) {
     return found || !file;
 }
 
+/* Whether text begins as OFF: configuration that is switched off ends in .off, too. */
+static int begins_as_off(const unsigned char *bytes, size_t size) {
+    size_t word = 0;
+    while (word < size && bytes[word] > ' ') {
+        ++word;
+    }
+    return word > 0 && (*bytes == '#' || (*bytes >= '0' && *bytes <= '9') ||
+                        (word >= 3 && strncasecmp((const char *)bytes + word - 3, "off", 3) == 0));
+}
+
 int import_may_hold_mesh(const char *path) {
     unsigned char bytes[LOOKED_AT];
     char extension[IMPORT_EXTENSION_SIZE];
@@ -125,8 +136,9 @@ int import_may_hold_mesh(const char *path) {
         }
         is_known = 1;
         const size_t at = skip_blanks(bytes, size);
-        fits = begins_with(bytes, size, rows[i].first, rows[i].size) ||
-               begins_with(bytes + at, size - at, rows[i].first, rows[i].size);
+        fits = !rows[i].first ? begins_as_off(bytes + at, size - at)
+                              : begins_with(bytes, size, rows[i].first, rows[i].size) ||
+                                    begins_with(bytes + at, size - at, rows[i].first, rows[i].size);
     }
     return fits || !is_known;
 }

@@ -57,7 +57,7 @@ static burnish_status open_input(const char *input, int *file, burnish_error *er
     const burnish_shown_name shown = burnish_show_name(input);
     if (*file < 0) {
         return cli_fail(error, cli_errno_status(errno), "%s: can't be opened: %s", shown.text,
-                        strerror(errno));
+                        cli_open_reason(input, errno));
     }
     if (fstat(*file, &state) == 0 && S_ISDIR(state.st_mode)) {
         close(*file);

@@ -89,7 +89,8 @@ static burnish_status cut_mesh(const render_scene *scene, const render_clip *cli
         }
         if (status == BURNISH_STATUS_OK && view->cut_count == before) {
             render_warn(scene->warnings, 1,
-                        "%.300s: no part of the mesh is beyond the plane %g,%g,%g,%g",
+                        "%.300s: no part of the mesh is beyond the plane %g,%g,%g,%g; "
+                        "--section=x cuts through its middle",
                         scene->settings->input.name, plane->normal[0], plane->normal[1],
                         plane->normal[2], render_file_offset(plane, view->origin));
         }
