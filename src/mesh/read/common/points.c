@@ -52,6 +52,16 @@ static void normalize_normals(void *user_data, size_t first, size_t end) {
     }
 }
 
+/* Whether more than 1 % of the normals have no direction. */
+static int has_gaps(const burnish_stream *stream) {
+    const float *normals = stream->items;
+    size_t gaps = 0;
+    for (size_t i = 0; i < stream->count; ++i) {
+        gaps += burnish_vec3_length(burnish_vec3_loadf(normals + 3 * i)) < 0.5;
+    }
+    return gaps > stream->count / 100;
+}
+
 static burnish_status prepare_normals(burnish_reader *reader, const burnish_cloud *cloud,
                                       int *are_surface) {
     burnish_mesh_data *mesh = reader->mesh;
@@ -63,7 +73,9 @@ static burnish_status prepare_normals(burnish_reader *reader, const burnish_clou
     *are_surface = 1;
     if (has_some && options->normals != BURNISH_NORMALS_OWN && !are_balls) {
         burnish_tasks_ranges(mesh->tasks, cloud->count, GRAIN, normalize_normals, stream->items);
-        return burnish_tasks_check(mesh->tasks, reader->error);
+        if (options->normals == BURNISH_NORMALS_FILE || !has_gaps(stream)) {
+            return burnish_tasks_check(mesh->tasks, reader->error);
+        }
     }
     burnish_mesh_data_drop(mesh, BURNISH_NORMAL);
     if (burnish_mesh_data_reserve(mesh, BURNISH_NORMAL, cloud->count) != BURNISH_STATUS_OK) {
