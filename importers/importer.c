@@ -240,7 +240,9 @@ void importer_allocate(importer_mesh *mesh) {
                                                "vertices; split or simplify the mesh");
     }
     if (mesh->vertex_count == 0) {
-        importer_fail(BURNISH_BMS_FORMAT_ERROR, "no triangles; export the scene's meshes");
+        importer_fail(BURNISH_BMS_FORMAT_ERROR,
+                      "no triangles that the importer reads; export meshes, not hulls or "
+                      "curves");
     }
     mesh->positions = importer_zeroed(3 * mesh->vertex_count, sizeof *mesh->positions);
     mesh->indices = importer_zeroed(3 * mesh->triangle_count, sizeof *mesh->indices);

@@ -286,7 +286,16 @@ static void draw_vertices(walk *w, const struct aiMesh *mesh, const struct aiMat
     }
 }
 
-/* Mirroring reverses triangles. */
+static int is_finite_face(const struct aiFace *face, const struct aiMesh *mesh) {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        const struct aiVector3D *p = &mesh->mVertices[face->mIndices[k]];
+        sum += (double)p->x + (double)p->y + (double)p->z;
+    }
+    return isfinite(sum);
+}
+
+/* Mirroring reverses triangles. One with a position that is not finite becomes a point. */
 static void draw_triangles(walk *w, const struct aiMesh *mesh, const struct aiMatrix4x4 *matrix) {
     double cofactors[9], determinant;
     find_cofactors(matrix, cofactors, &determinant);
@@ -296,7 +305,9 @@ static void draw_triangles(walk *w, const struct aiMesh *mesh, const struct aiMa
             continue;
         }
         for (int k = 0; k < 3; ++k) {
-            const int corner = determinant < 0 && k > 0 ? 3 - k : k;
+            const int corner = !is_finite_face(face, mesh) ? 0
+                               : determinant < 0 && k > 0  ? 3 - k
+                                                           : k;
             w->mesh->indices[3 * w->triangles + (uint64_t)k] =
                 (uint32_t)(w->vertices + face->mIndices[corner]);
         }
@@ -333,7 +344,7 @@ static void flatten_scene(const struct aiScene *scene, const char *extension, co
     importer_allocate(mesh);
     for_all(&drawn, draw_mesh);
     if (drawn.is_damaged) {
-        importer_warn(mesh, "positions that are not finite are 0");
+        importer_warn(mesh, "triangles with positions that are not finite were left out");
     }
 }
 

@@ -47,7 +47,10 @@ for shine in 0.125 0; do
     sed '/<shininess/,/<\/shininess/s/>16</>'$shine'</' $models/Collada/cube_UTF8BOM.dae >shine$shine.dae
 done
 check "a share has a highlight" [ "$(hash shine0.125.dae)" != "$(hash shine0.dae)" ]
-rm -f shine*.dae
+sed '/<float_array/s/>-*[0-9.]* />nan /' $models/Collada/cube_UTF8BOM.dae >nan.dae
+run info nan.dae --quiet --json
+check "a corner that is not a number costs its triangles" [ "$(grep -o '"triangles":[0-9]*' "$out" | head -n 1)" = '"triangles":6' ]
+rm -f shine*.dae nan.dae
 
 check "coordinates that the file leaves to be made" \
     [ "$(hash $models/LWO/LWO2/MappingModes/earth_spherical_y.lwo)" != "$(hash $models/LWO/LWO2/MappingModes/earth_spherical_y.lwo --no-textures)" ]

@@ -42,6 +42,7 @@ rm -f part.igs.gz p.png q.png
 # An assembly of two, red with one face of another colour.
 run info "$files/two.step" --json
 check "box: $(json size)" [ "$(json size)" = 50,30,10 ]
+check "millimetres" grep -q '"unit":"millimeter"' "$out"
 check "materials: $(json materials)" [ "$(json materials)" = 3 ]
 check "a part for each of two places: $(cat "$out")" [ "$(grep -o '"name":"COMPOUND"' "$out" | wc -l)" = 2 ]
 check "shells: $(json shells)" [ "$(json shells)" = 2 ]

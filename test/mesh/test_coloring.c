@@ -27,7 +27,7 @@ static void test_maps(void) {
 
 #define PLY(rows, faces)                                                                           \
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"                \
-    "property float z\nproperty double heat\n" faces "end_header\n" rows
+    "property float z\nproperty double scalar_heat\n" faces "end_header\n" rows
 #define ROWS "0 0 0 10\n0 1 0 20\n1 1 0 30\n1 2 1 50\n"
 #define FACES "element face 2\nproperty list uchar int vertex_indices\n"
 
@@ -56,7 +56,7 @@ static void test_points(void) {
     options.scalar_property = "cold";
     check_refused(text, strlen(text), "a.ply", &options, BURNISH_STATUS_FORMAT,
                   "a.ply:3: no other vertex property \"cold\" to colour by; the vertices "
-                  "have x, y, z, heat");
+                  "have x, y, z, scalar_heat");
 }
 
 /* A TGA of one pixel. */

@@ -112,6 +112,11 @@ static burnish_status read_error(const bms_state *s, uint32_t kind) {
                                (const char *)s->next);
 }
 
+/* The unit of a length in metres, by the bits of the float. */
+static const char *unit_of(uint32_t metres) {
+    return metres == 0x3A83126F ? "millimeter" : metres == 0x3F800000 ? "meter" : NULL;
+}
+
 /* The up axis; all 0 means the format's. */
 static burnish_status read_up(const bms_state *s) {
     const uint8_t *at = s->reader->input->bytes + BURNISH_BMS_AT_UP;
@@ -124,6 +129,7 @@ static burnish_status read_up(const bms_state *s) {
     s->mesh->up_axis[0] = (float)unit.x;
     s->mesh->up_axis[1] = (float)unit.y;
     s->mesh->up_axis[2] = (float)unit.z;
+    s->mesh->unit = unit_of(burnish_load32(s->reader->input->bytes + BURNISH_BMS_AT_UNIT));
     return BURNISH_STATUS_OK;
 }
 

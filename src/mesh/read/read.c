@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/bytes.h"
+#include "base/inputs.h"
 #include "image/decode/gunzip.h"
 #include "mesh/read/common/damage.h"
 #include "mesh/read/common/local_origin.h"
@@ -174,12 +175,18 @@ static const char *shown_format(burnish_format format) {
 /* Warns of a file whose contents contradict its name. For a streamed input, this is not a reason
  * to read all of it. */
 static void warn_misnamed(burnish_reader *reader, burnish_format format) {
-    const burnish_format named = burnish_format_of_name(reader->input->name);
-    if (reader->input->options->format == BURNISH_FORMAT_AUTO && named != BURNISH_FORMAT_AUTO &&
-        named != format && !reader->has_warned) {
+    static const char others[] = ".step .stp .iges .igs .fbx .dae .3ds "; /* of importers */
+    const char *name = reader->input->name, *dot = strrchr(name, '.');
+    const burnish_format named = burnish_format_of_name(name);
+    char extension[BURNISH_EXTENSION_SIZE];
+    burnish_lower_extension(name, strlen(name), extension);
+    const int is_other =
+        format != BURNISH_FORMAT_BMS && strlen(extension) > 2 && strstr(others, extension);
+    if (reader->input->options->format == BURNISH_FORMAT_AUTO && !reader->has_warned &&
+        (named != BURNISH_FORMAT_AUTO ? named != format : is_other)) {
         burnish_mesh_data_warn(reader->mesh, "%s: the file is %s, not %s as its name says",
-                               burnish_show_name(reader->input->name).text, shown_format(format),
-                               shown_format(named));
+                               burnish_show_name(name).text, shown_format(format),
+                               is_other ? dot : shown_format(named));
     }
 }
 

@@ -76,32 +76,30 @@ static inline __attribute__((always_inline)) int expect(stl_parser *stl, const c
     return burnish_lexer_skip_word(&stl->lexer, expected) || expect_slowly(stl, expected);
 }
 
-static int fail_number(stl_parser *stl, const char *what, burnish_token word,
-                       burnish_number_status number) {
-    burnish_chunk_fail(stl->chunk, BURNISH_STATUS_FORMAT, word.bytes, "%s",
-                       burnish_describe_number(what, word, number).text);
-    return 0;
+static int is_keyword(burnish_token word) {
+    static const char *const keywords[] = {"vertex",   "endloop", "endfacet", "facet",
+                                           "endsolid", "solid",   "end"};
+    size_t i = 0;
+    while (i < sizeof keywords / sizeof *keywords &&
+           !burnish_token_is_caseless(word, keywords[i])) {
+        ++i;
+    }
+    return i < sizeof keywords / sizeof *keywords;
 }
 
 /* Skips words after "endloop" and "endfacet", which some programs write. */
 static void skip_extra(stl_parser *stl) {
-    static const char *const keywords[] = {"endfacet", "facet", "endsolid", "solid", "end"};
     const uint8_t *at = stl->lexer.next;
     while (at < stl->lexer.end && burnish_is_blank(*at)) {
         ++at;
     }
     burnish_lexer line = stl->lexer;
     burnish_token word;
-    if (at == line.end || burnish_is_line_end(*at) || !burnish_lexer_token(&line, &word)) {
-        return;
+    if (at < line.end && !burnish_is_line_end(*at) && burnish_lexer_token(&line, &word) &&
+        !is_keyword(word)) {
+        burnish_chunk_note(stl->chunk, EXTRA, word.bytes);
+        burnish_lexer_rest(&stl->lexer);
     }
-    for (size_t i = 0; i < sizeof keywords / sizeof *keywords; ++i) {
-        if (burnish_token_is_caseless(word, keywords[i])) {
-            return;
-        }
-    }
-    burnish_chunk_note(stl->chunk, EXTRA, word.bytes);
-    burnish_lexer_rest(&stl->lexer);
 }
 
 /* Skips the three numbers of a normal, whatever they are, and "outer" after them. */
@@ -149,17 +147,6 @@ static int read_to_outer(stl_parser *stl) {
                                                      : fail_expected(stl, "\"normal\"", word);
 }
 
-/* Whether a word that is not a number can stand for one: not if it is the next keyword. */
-static int stands_for_number(burnish_token word) {
-    static const char *const keywords[] = {"vertex", "endloop", "endfacet", "facet", "endsolid"};
-    for (size_t i = 0; i < sizeof keywords / sizeof *keywords; ++i) {
-        if (burnish_token_is_caseless(word, keywords[i])) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
 /* Three numbers after "vertex"; *is_bad: 1 if one of them is not finite, or is a word. */
 static inline __attribute__((always_inline)) int read_vertex(stl_parser *stl, float position[3],
                                                              int *is_bad) {
@@ -176,8 +163,10 @@ static inline __attribute__((always_inline)) int read_vertex(stl_parser *stl, fl
             }
             number = BURNISH_NUMBER_RANGE;
         }
-        if (number == BURNISH_NUMBER_GARBAGE && !stands_for_number(word)) {
-            return fail_number(stl, "coordinate", word, number);
+        if (number == BURNISH_NUMBER_GARBAGE && is_keyword(word)) {
+            burnish_chunk_fail(stl->chunk, BURNISH_STATUS_FORMAT, word.bytes, "%s",
+                               burnish_describe_number("coordinate", word, number).text);
+            return 0;
         }
         if (!*is_bad && !burnish_chunk_pardon_number(stl->chunk, word, number)) {
             return 0;
@@ -247,8 +236,7 @@ static void read_facet(stl_parser *stl, burnish_token facet) {
     }
 }
 
-/* Whether a line before "solid" is a comment. */
-static int is_comment(burnish_token word) {
+static int is_comment(burnish_token word) { /* before "solid" */
     return memchr("#;%!/*", *word.bytes, 6) != NULL;
 }
 

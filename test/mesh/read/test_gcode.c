@@ -85,13 +85,13 @@ static void test_sizes(void) {
 static void test_odd_numbers(void) {
     OWNED_MESH *mesh =
         load(HEAD "M83\nG28 X Y\nG1 Z.2\nG1 X10 E1\nG1 Xnan Y10 E1\nG1 X20000000 E1\n"
-                  "G1 X0 Y{y} E1\nG1 Y0 E1\n",
+                  "G1 X0 Y{y} E1\nG1 Y0 E1\nG1 Y0..5\n",
              NULL);
     const char *warning = burnish_mesh_get_warning(mesh, 0);
     CHECK(
         burnish_mesh_get_warning_count(mesh) == 1 &&
             strcmp(warning,
-                   "a.gcode:8: X has no number below 1e7; it was left out (and 2 more like it)") ==
+                   "a.gcode:8: X has no number below 1e7; it was left out (and 3 more like it)") ==
                 0,
         "%s", warning);
     check_box(mesh, (double[]){-half_width, -half_width, 0, 10 + half_width, 10 + half_width, 0.2},

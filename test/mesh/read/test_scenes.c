@@ -185,7 +185,7 @@ static void test_colors(void) {
                "a:1: \"colour\" is unknown here and ignored (and 1 more like it)");
     OWNED_MESH *mesh = load_scene(
         "{\"burnish_scene\": 1, \"up\": \"-x\", \"unit\": \"inch\", \"items\": ["
-        "{\"file\": \"sub/red.obj\"}, {\"file\": \"sub/red.obj\", \"color\": \"#00FF0080\"},"
+        "{\"file\": \"sub\\\\red.obj\"}, {\"file\": \"sub/red.obj\", \"color\": \"#00FF0080\"},"
         "{\"file\": \"t.obj\", \"color\": \"#00ff0080\"}]}");
     CHECK1(mesh && burnish_mesh_get_material_count(mesh) == 2);
     const burnish_material *red = burnish_mesh_get_material(mesh, 0),

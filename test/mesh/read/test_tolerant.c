@@ -587,12 +587,13 @@ static const struct {
     {"a.ply", "\n# by x\ncomment y\n  " PLY_XYZ(3) PLY_FACES(1) PLY_TRIANGLE "3 0 1 2\n", 1,
      "a.ply: blanks or comments before \"ply\" were ignored"},
     {"a.off",
-     "OFF\n11 13 0\n0 0 0\n3 0 0\n0 2 0\n3 2 0\n0 0 1\n3 0 1\n0 2 1\n3 2 1\n"
-     "1e5 0 0\n100001 0 0\n1e5 1 0\n3 0 2 1\n3 1 2 3\n3 4 5 6\n3 5 7 6\n3 0 1 4\n3 1 5 4\n3 2 6 3\n"
-     "3 3 6 7\n3 0 4 2\n3 2 4 6\n3 1 3 5\n3 3 7 5\n3 8 9 10\n",
-     12,
-     "a.off: 1 of 13 triangles are far from the others, near 100000, 0, 0, so the mesh is drawn "
+     "OFF\n7 5 0\n" OFF_TRIANGLE
+     "0 0 1\n1e5 0 0\n100001 0 0\n1e5 1 0\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 4 5 6\n",
+     4,
+     "a.off: 1 of 5 triangles are far from the others, near 100000, 0, 0, so the mesh is drawn "
      "without them; remove them"},
+    {"a.step", "solid\n" STL_GOOD "endsolid\n", 1,
+     "a.step: the file is STL, not .step as its name says"},
     {"a.ply", PLY_XYZ(4) PLY_FACES(3) PLY_TRIANGLE "nan nan 1\n3 0 1 2\n4 0 1 2 3\n3 0 1 -1\n", 1,
      "a.ply:13: vertex 3: coordinate x is not finite or beyond 3.4e38; repair the mesh; it was "
      "left "

@@ -399,6 +399,11 @@ static void read_words(burnish_gcode *g, const uint8_t *p, const uint8_t *end) {
             continue;
         }
         if (letter < 'A' || letter > 'Z') {
+            if (command == 'G' && code <= 30 && strchr(".,+-0123456789", *p)) {
+                burnish_reader_note(g->reader, &g->odd, p,
+                                    "\"%c\" is out of place; the rest of the line was left out",
+                                    *p);
+            }
             break;
         }
         const size_t size = burnish_gcode_number(p + 1, end, &value);
@@ -417,6 +422,9 @@ static void read_words(burnish_gcode *g, const uint8_t *p, const uint8_t *end) {
         if (size == 0 && command == 'G' && code <= 30 && strchr("XYZEIJR", letter)) {
             burnish_reader_note(g->reader, &g->odd, p - 1,
                                 "%c has no number below 1e7; it was left out", letter);
+            while (p<end && * p> ' ') {
+                ++p;
+            }
         }
         w.given |= size > 0 ? BIT(letter) : 0;
         w.values[letter - 'A'] = value;

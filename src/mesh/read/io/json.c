@@ -236,6 +236,8 @@ burnish_status burnish_json_parse(burnish_reader *reader, const uint8_t *bytes, 
     while (read_value(&parser) && move_on(&parser)) {
     }
     skip_blanks(&parser);
+    for (; parser.next < parser.end && *parser.next == 0; ++parser.next) { /* some pad GLB so */
+    }
     if (parser.status == BURNISH_STATUS_OK && parser.next < parser.end) {
         json_fail(&parser, parser.next, "the end of the JSON");
     }

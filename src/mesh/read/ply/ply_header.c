@@ -131,6 +131,16 @@ burnish_status burnish_ply_add_element(burnish_reader *reader, burnish_ply_heade
     return memory->status;
 }
 
+/* CloudCompare's scalar_Intensity is also Intensity. */
+static int is_scalar(burnish_token name, const char *scalar) {
+    static const char prefix[] = "scalar_";
+    enum { SIZE = sizeof prefix - 1 };
+    const burnish_token rest = {name.bytes + SIZE, name.size - SIZE};
+    return burnish_token_is(name, scalar) ||
+           (name.size > SIZE && memcmp(name.bytes, prefix, SIZE) == 0 &&
+            burnish_token_is(rest, scalar));
+}
+
 burnish_status burnish_ply_add_property(burnish_reader *reader, burnish_ply_header *header,
                                         burnish_ply_property property) {
     burnish_ply_element *element = &header->elements[header->element_count - 1];
@@ -138,8 +148,8 @@ burnish_status burnish_ply_add_property(burnish_reader *reader, burnish_ply_head
     if (scalar && element->kind == BURNISH_PLY_ELEMENT_VERTEX &&
         property.count_type == BURNISH_PLY_NONE &&
         ((property.role >= BURNISH_PLY_S && property.role != BURNISH_PLY_PACKED) ||
-         burnish_token_is(property.name, scalar))) {
-        property.role = burnish_token_is(property.name, scalar) ? BURNISH_PLY_S : BURNISH_PLY_OTHER;
+         is_scalar(property.name, scalar))) {
+        property.role = is_scalar(property.name, scalar) ? BURNISH_PLY_S : BURNISH_PLY_OTHER;
     }
     burnish_memory *memory = &reader->mesh->memory;
     header->properties = burnish_reserve(memory, header->properties, &header->property_capacity,

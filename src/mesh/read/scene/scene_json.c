@@ -196,6 +196,8 @@ static int read_item(scene_json *s, uint32_t object) {
         return scene_fail(s, BURNISH_STATUS_FORMAT, object, "has no \"file\"; name one");
     }
     note_unknown(s, object, keys);
+    for (char *at = file; (at = strchr(at, '\\')); *at = '/') { /* as Windows writes them */
+    }
     const burnish_status status = burnish_scene_load(&s->scene, file, &source, &why);
     const int is_reported = status != BURNISH_STATUS_OK && !*why.text;
     if (is_reported || status == BURNISH_STATUS_MEMORY || status == BURNISH_STATUS_CANCELLED) {
