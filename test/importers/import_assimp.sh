@@ -49,7 +49,7 @@ done
 check "a share has a highlight" [ "$(hash shine0.125.dae)" != "$(hash shine0.dae)" ]
 sed '/<float_array/s/>-*[0-9.]* />nan /' $models/Collada/cube_UTF8BOM.dae >nan.dae
 run info nan.dae --quiet --json
-check "a corner that is not a number costs its triangles" [ "$(grep -o '"triangles":[0-9]*' "$out" | head -n 1)" = '"triangles":6' ]
+check "a corner that is not a number costs its triangles" grep -q '"degenerate_triangles":6' "$out"
 rm -f shine*.dae nan.dae
 
 check "coordinates that the file leaves to be made" \

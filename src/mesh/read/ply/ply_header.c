@@ -133,11 +133,10 @@ burnish_status burnish_ply_add_element(burnish_reader *reader, burnish_ply_heade
 
 /* CloudCompare's scalar_Intensity is also Intensity. */
 static int is_scalar(burnish_token name, const char *scalar) {
-    static const char prefix[] = "scalar_";
-    enum { SIZE = sizeof prefix - 1 };
-    const burnish_token rest = {name.bytes + SIZE, name.size - SIZE};
+    enum { PREFIX = 7 };
+    const burnish_token rest = {name.bytes + PREFIX, name.size - PREFIX};
     return burnish_token_is(name, scalar) ||
-           (name.size > SIZE && memcmp(name.bytes, prefix, SIZE) == 0 &&
+           (name.size > PREFIX && memcmp(name.bytes, "scalar_", PREFIX) == 0 &&
             burnish_token_is(rest, scalar));
 }
 

@@ -283,15 +283,6 @@ static void fail_syntax(burnish_threemf_xml *xml) {
     }
 }
 
-/* Blank characters before a declaration, which XML forbids: their number. */
-static size_t count_blanks(const char *text, size_t size) {
-    size_t blanks = 0;
-    while (blanks < size && strchr(" \t\r\n", text[blanks]) && text[blanks]) {
-        ++blanks;
-    }
-    return blanks;
-}
-
 /* One piece of a part; *is_last: it was the last one. Returns 0 on failure. */
 static int parse_piece(burnish_threemf_xml *xml, burnish_zip_stream *stream, int *is_last) {
     burnish_threemf *threemf = xml->threemf;
@@ -306,10 +297,12 @@ static int parse_piece(burnish_threemf_xml *xml, burnish_zip_stream *stream, int
     if (threemf->status != BURNISH_STATUS_OK) {
         return 0;
     }
-    if (stream->written == size) { /* the first piece; line ends there do not count as lines */
-        const size_t blanks = count_blanks(piece, size);
-        memmove(piece, (char *)piece + blanks, size -= blanks);
+    const uint8_t *bytes = piece;
+    size_t blanks = 0; /* before the declaration; their line ends do not count as lines */
+    while (stream->written == size && blanks < size && bytes[blanks] - 1U < ' ') {
+        ++blanks;
     }
+    memmove(piece, bytes + blanks, size -= blanks);
     if (XML_ParseBuffer(xml->parser, (int)size, *is_last) != XML_STATUS_OK) {
         fail_syntax(xml);
         return 0;
