@@ -35,8 +35,13 @@ typedef struct opened_file {
 
 static burnish_status fail_errno(opened_file *file, const char *what, int code) {
     const burnish_status status = code == ENOMEM ? BURNISH_STATUS_MEMORY : BURNISH_STATUS_READ;
+    const int is_missing = code == ENOENT, is_address = strstr(file->name, "://") != NULL;
     return burnish_fail(file->memory.error, status, "%s: %s: %s",
-                        burnish_show_name(file->name).text, what, burnish_errno_reason(code).text);
+                        burnish_show_name(file->name).text, what,
+                        is_missing && is_address ? "it is an address; download the file first"
+                        : is_missing && strpbrk(file->name, "*?")
+                            ? "No such file; shells replace patterns only outside quotes"
+                            : burnish_errno_reason(code).text);
 }
 
 static burnish_status fail_size(burnish_error *error, const char *name, uint64_t max_bytes) {

@@ -40,7 +40,6 @@ mkdir empty
 cd empty || exit 1
 expect 3 "burnish: none.stl: can't be opened: No such file or directory" render none.stl
 expect 3 "burnish: https://a.b/c.stl: can't be opened: it is an address; download the file first" render https://a.b/c.stl
-expect 3 "burnish: *.stl: can't be opened: No such file; shells replace patterns only outside quotes" render '*.stl'
 expect 2 'burnish: --turntable: a value is missing before -o: --turntable=FILE' render :torus --turntable -o t.gif
 expect 2 'burnish: :tepot: unknown built-in object; there are :teapot, :sphere, :torus, :knot' render :tepot
 printf 'solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n' >../broken.stl

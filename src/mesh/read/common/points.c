@@ -52,7 +52,6 @@ static void normalize_normals(void *user_data, size_t first, size_t end) {
     }
 }
 
-/* Whether more than 1 % of the normals have no direction. */
 static int has_gaps(const burnish_stream *stream) {
     const float *normals = stream->items;
     size_t gaps = 0;
