@@ -55,7 +55,7 @@ enum { BURNISH_BALLOONS_MAX = 64, BURNISH_CALLOUTS_MAX = 1000 };
 typedef struct burnish_callout {
     size_t part, count; /* the first of its parts in burnish_contents.parts; how many it has */
     int is_visible, has_balloon;
-    int x, y; /* the pixel where the leader starts, well within the part; 0, 0: not visible */
+    int x, y; /* the pixel where the leader starts, well within a face; 0, 0: not visible */
 } burnish_callout;
 
 /* A parts list. An entry's number is its place from 1. */

@@ -24,7 +24,8 @@ extern "C" {
  *   x, y    left end of the baseline, in pixels from the top left corner
  *   height  of a capital letter in pixels, at least 5
  *   color   sRGB
- *   text    ASCII 32 to 126, and \u00d8 as the sign of a diameter; others become '?'
+ *   text    ASCII 32 to 126, and \u00d8 as the sign of a diameter; Latin letters lose their
+ *           accents, other characters become '?'
  * Returns the advance in pixels. */
 BURNISH_API float burnish_image_draw_text(burnish_image *image, float x, float y, float height,
                                           const uint8_t color[3], const char *text);

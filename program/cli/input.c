@@ -160,9 +160,10 @@ void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEE
         "thumbnail",
         info && (info->format == BURNISH_FORMAT_3MF || info->format == BURNISH_FORMAT_GCODE),
         "only 3MF files and G-code hold pictures of themselves; omit the flag"};
-    needs[7] =
-        (cli_need){"explode,callouts", mesh && burnish_mesh_get_contents(mesh)->part_count > 1,
-                   "INPUT does not have two parts; omit the flag"};
+    needs[7] = (cli_need){"explode", mesh && burnish_mesh_get_contents(mesh)->part_count > 1,
+                          "INPUT does not have two parts; omit the flag"};
+    needs[9] = (cli_need){"callouts", mesh && burnish_mesh_get_contents(mesh)->part_count > 0,
+                          "INPUT has no parts; omit the flag"};
     needs[8] = (cli_need){
         "joint",
         info && (info->format == BURNISH_FORMAT_URDF || info->format == BURNISH_FORMAT_SCENE),

@@ -97,7 +97,7 @@ cli_handler cli_flag_joint;          /* cli_joints */
 cli_handler cli_flag_texture_pixels; /* uint64_t in [low, high], or "auto" */
 
 /* What the flags below need of the input; without a mesh, as if nothing were met. */
-enum { CLI_INPUT_NEEDS = 9 };
+enum { CLI_INPUT_NEEDS = 10 };
 void cli_list_input_needs(const burnish_mesh *mesh, cli_need needs[CLI_INPUT_NEEDS]);
 
 /* The rows; `type` has the cli_input `member`. */

@@ -213,14 +213,18 @@ static const cli_flag flags[] = {
          "times a power of 10 (parallel projections only; in perspective it is omitted with a "
          "warning); *grid*, lines on the ground with such a spacing, and the spacing; *none*. "
          "Numbers are in the units of the input, rounded to four digits. Framing leaves room for "
-         "annotations; one that does not fit is omitted with a warning."},
+         "annotations; one that does not fit is omitted with a warning. Parts that *--explode* "
+         "moves have no *dimensions*."},
     {DRAW_SWITCH("callouts", "number the parts, and list them", picture.callouts),
      .not_for = HEIR_COMPARE, .aliases = "bom,balloons,parts-list",
      .manual =
          "Draws balloons with numbers around the object, leaders to the parts of the input, and a "
-         "list of numbers, counts and names (*#3*: the third part, which has none). Equal parts "
-         "have one number: the same name but for digits at its end, as many triangles, and the "
-         "same area. Parts that the picture hides are paler in the list. There are at most 64 "
+         "list of numbers, counts and names (*#3*: the third part, whose name is empty or not in "
+         "Latin letters, which lose their accents). Equal parts have one number: the same name but "
+         "for digits at its end, as many triangles, and the same area. A single part has a number, "
+         "too, also on each plate of *--plate=sheet*. Hidden parts are paler in the list. If it "
+         "has "
+         "no room for all, its last row counts the others; *--json* has them. There are at most 64 "
          "balloons and 1000 entries; a warning names what has no balloon. Drawing sheets have them "
          "in the pictorial view. The list replaces the legend of *--color-by=part*."},
     {DRAW_FLAG("columns", "N", "columns of a sheet", cli_flag_integer, picture.columns),

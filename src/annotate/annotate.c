@@ -87,11 +87,11 @@ burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view,
         burnish_annotate_holes(view, list);
     }
     burnish_annotate_marks(view, kinds, list);
-    if (view->callouts && view->callouts->count > 0 && view->triangles) {
-        burnish_annotate_balloons(view, list);
-    }
     if (kinds & BURNISH_ANNOTATION_BOX) {
         burnish_annotate_box(view, list);
+    }
+    if (view->callouts && view->callouts->count > 0 && view->triangles) {
+        burnish_annotate_balloons(view, list);
     }
     if (kinds & BURNISH_ANNOTATION_GRID) {
         burnish_annotate_grid(view, list);
@@ -292,7 +292,7 @@ static burnish_stroke sharpened_stroke(burnish_stroke stroke) {
 
 /* The strokes of a layer, or of LINES and all after it, each thickened by `rim` on both sides. */
 static void gather_strokes(const burnish_annotation_list *list, int first, int last, float rim,
-                           float text_height, burnish_stroke_list *to) {
+                           burnish_stroke_list *to) {
     to->count = 0;
     for (size_t i = 0; i < list->line_count; ++i) {
         if ((int)list->lines[i].layer >= first && (int)list->lines[i].layer <= last) {
@@ -303,8 +303,8 @@ static void gather_strokes(const burnish_annotation_list *list, int first, int l
     for (size_t i = 0; i < list->label_count; ++i) {
         const burnish_annotation_label *label = &list->labels[i];
         if ((int)label->layer >= first && (int)label->layer <= last) {
-            burnish_text_strokes((float)label->x, (float)label->baseline, text_height, label->text,
-                                 strlen(label->text), burnish_stroke_list_append, to);
+            burnish_text_strokes((float)label->x, (float)label->baseline, (float)label->height,
+                                 label->text, strlen(label->text), burnish_stroke_list_append, to);
         }
     }
     for (size_t i = 0; i < to->count; ++i) {
@@ -320,18 +320,17 @@ typedef struct canvas {
 } canvas;
 
 /* A layer of a drawing: its lines, then each label as a path with its text as attribute. */
-static void add_layer(const burnish_annotation_view *view, const burnish_annotation_list *list,
-                      int first, int last, float rim, burnish_stroke_list *figure,
-                      burnish_drawing *drawing) {
+static void add_layer(const burnish_annotation_list *list, int first, int last, float rim,
+                      burnish_stroke_list *figure, burnish_drawing *drawing) {
     burnish_annotation_list part = *list;
     part.label_count = 0;
-    gather_strokes(&part, first, last, rim, (float)view->text, figure);
+    gather_strokes(&part, first, last, rim, figure);
     burnish_drawing_strokes(drawing, figure->items, figure->count, NULL);
     part.line_count = 0;
     part.label_count = 1;
     for (size_t i = 0; i < list->label_count; ++i) {
         part.labels = &list->labels[i];
-        gather_strokes(&part, first, last, rim, (float)view->text, figure);
+        gather_strokes(&part, first, last, rim, figure);
         burnish_drawing_strokes(drawing, figure->items, figure->count,
                                 rim > 0 ? NULL : list->labels[i].text);
     }
@@ -351,10 +350,10 @@ static burnish_status draw_list(const burnish_annotation_view *view,
         const float rim = is_rim ? (float)(view->line + view->text / 12) : 0;
         const uint8_t *color = is_rim ? colors->rim : colors->layers[shown];
         const float opacity = is_rim ? colors->rim_opacity : colors->opacities[shown];
-        gather_strokes(list, first, last, rim, (float)view->text, &figure);
+        gather_strokes(list, first, last, rim, &figure);
         if (to->drawing && figure.count > 0) {
             burnish_drawing_open(to->drawing, color, opacity);
-            add_layer(view, list, first, last, rim, &figure, to->drawing);
+            add_layer(list, first, last, rim, &figure, to->drawing);
             burnish_drawing_close(to->drawing);
             burnish_memory_join(memory, &to->drawing->memory);
         }
@@ -526,7 +525,7 @@ burnish_annotation_label burnish_annotation_label_at(const burnish_annotation_vi
                                                      const char *text, burnish_point middle,
                                                      burnish_annotation_layer layer) {
     static const uint8_t unused[3] = {0};
-    burnish_annotation_label label = {.layer = layer};
+    burnish_annotation_label label = {.layer = layer, .height = view->text};
     const size_t length = strlen(text);
     memcpy(label.text, text, length + 1);
     const double width =

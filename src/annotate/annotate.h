@@ -60,6 +60,9 @@ burnish_status burnish_annotation_view_make(const burnish_mesh *mesh,
 void burnish_list_parts(const burnish_mesh *mesh, const burnish_annotation_view *view,
                         burnish_memory *memory);
 
+/* 1: two triangles belong to one part, and an edge between them would be soft, or both are none. */
+int burnish_is_one_face(const burnish_annotation_view *view, uint32_t a, uint32_t b);
+
 /* The position of a point on the screen, and its distance along the camera's axis, which in
  * perspective must be above 0. */
 burnish_point burnish_annotation_project(const burnish_annotation_view *view, burnish_vec3 p,
@@ -76,6 +79,10 @@ int burnish_annotation_hits_hull(const burnish_annotation_view *view, const burn
 
 /* 1: the segment touches the area. */
 int burnish_segment_hits(burnish_point a, burnish_point b, const burnish_area *area);
+
+static inline double burnish_cross_of_points(burnish_point o, burnish_point a, burnish_point b) {
+    return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+}
 
 int burnish_areas_touch(const burnish_area *a, const burnish_area *b);
 
@@ -105,6 +112,7 @@ enum { BURNISH_LABEL_SIZE = BURNISH_NAME_SIZE };
 typedef struct burnish_annotation_label {
     char text[BURNISH_LABEL_SIZE];
     double x, baseline; /* whole pixels */
+    double height;      /* of a capital */
     burnish_area area;  /* of the ink */
     burnish_annotation_layer layer;
 } burnish_annotation_label;

@@ -41,10 +41,6 @@ int burnish_segment_hits(burnish_point a, burnish_point b, const burnish_area *a
            burnish_cut_to_range(a.y, b.y - a.y, area->top, area->bottom, &from, &to);
 }
 
-static double cross_of_points(burnish_point o, burnish_point a, burnish_point b) {
-    return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
-}
-
 /* Both are convex: they are apart if all of one is outside an edge of the other. */
 int burnish_annotation_hits_hull(const burnish_annotation_view *view, const burnish_area *area) {
     const burnish_point box[4] = {{area->left, area->top},
@@ -56,7 +52,7 @@ int burnish_annotation_hits_hull(const burnish_annotation_view *view, const burn
         const burnish_point a = view->hull[i], b = view->hull[(i + 1) % view->hull_count];
         int outside = view->hull_count > 2;
         for (int k = 0; k < 4 && outside; ++k) {
-            outside = cross_of_points(a, b, box[k]) <= 0;
+            outside = burnish_cross_of_points(a, b, box[k]) <= 0;
         }
         if (outside) {
             return 0;
@@ -99,7 +95,7 @@ static void make_hull(burnish_annotation_view *view) {
         for (int i = 0; i < 8; ++i) {
             const burnish_point p = sorted[pass == 0 ? i : 7 - i];
             while (count - start >= 2 &&
-                   cross_of_points(chain[count - 2], chain[count - 1], p) <= 0) {
+                   burnish_cross_of_points(chain[count - 2], chain[count - 1], p) <= 0) {
                 --count;
             }
             chain[count++] = p;

@@ -8,6 +8,9 @@ enum { NO_ENTRY = UINT16_MAX };
 /* Parts are equal if their areas differ by less, in parts of one. */
 #define AREA_TOLERANCE 1e-5
 
+/* Of the angle between normals across a soft edge, 30 degrees. */
+#define LEAST_COSINE 0.866
+
 /* The length of a name without digits and signs at its end, as in "wheel.001" and "Bolt (2)". */
 static size_t stem_length(const char *name) {
     size_t length = strlen(name);
@@ -21,16 +24,23 @@ static size_t part_of(const burnish_mesh_view *view, size_t triangle) {
     return view->triangle_parts ? view->triangle_parts[triangle] : 0;
 }
 
-/* Twice the area of each part. */
-static void measure_parts(const burnish_mesh_view *view, double *areas) {
-    for (size_t i = 0; i < view->triangle_count; ++i) {
-        burnish_vec3 p[3];
-        for (int k = 0; k < 3; ++k) {
-            p[k] = burnish_vec3_loadf(view->positions + 3 * (size_t)view->indices[3 * i + k]);
-        }
-        areas[part_of(view, i)] += burnish_vec3_length(
-            burnish_vec3_cross(burnish_vec3_sub(p[1], p[0]), burnish_vec3_sub(p[2], p[0])));
+/* As long as twice the area. */
+static burnish_vec3 normal_of(const burnish_mesh_view *view, size_t triangle) {
+    burnish_vec3 p[3];
+    for (int k = 0; k < 3; ++k) {
+        p[k] = burnish_vec3_loadf(view->positions + 3 * (size_t)view->indices[3 * triangle + k]);
     }
+    return burnish_vec3_cross(burnish_vec3_sub(p[1], p[0]), burnish_vec3_sub(p[2], p[0]));
+}
+
+int burnish_is_one_face(const burnish_annotation_view *view, uint32_t a, uint32_t b) {
+    const burnish_mesh_view *mesh = view->mesh;
+    if (a == b || a >= mesh->triangle_count || b >= mesh->triangle_count) {
+        return a == b;
+    }
+    const burnish_vec3 n = normal_of(mesh, a), m = normal_of(mesh, b);
+    return part_of(mesh, a) == part_of(mesh, b) &&
+           burnish_vec3_dot(n, m) > LEAST_COSINE * burnish_vec3_length(n) * burnish_vec3_length(m);
 }
 
 /* entries receives the entry of each part. Parts without area are not drawn. */
@@ -58,32 +68,27 @@ static void group_parts(const burnish_annotation_view *view, size_t count, const
     }
 }
 
-/* The part at a pixel; BURNISH_PARTS_MAX for none. */
-static size_t part_at(const burnish_mesh_view *view, const uint32_t *triangles, size_t pixel) {
-    const uint32_t id = triangles[pixel];
-    return id < view->triangle_count ? part_of(view, id) : BURNISH_PARTS_MAX;
-}
-
-/* Leaders start where the distance to the border of a part is largest, in steps along rows and
+/* Leaders start where the distance to the border of a face is largest, in steps along rows and
  * columns: it is found in two passes, from the top left and from the bottom right. */
-static void find_points(const burnish_mesh_view *view, const burnish_annotation_view *on,
-                        size_t count, const uint16_t *entries, uint16_t *distances) {
+static void find_points(const burnish_annotation_view *on, size_t count, const uint16_t *entries,
+                        uint16_t *distances) {
     const size_t width = (size_t)on->width;
+    const uint32_t *ids = on->triangles;
     unsigned most[BURNISH_CALLOUTS_MAX] = {0};
     for (size_t i = 0; i < 2 * count; ++i) {
         const size_t is_second = i >= count, at = is_second ? 2 * count - 1 - i : i;
-        const size_t part = part_at(view, on->triangles, at);
         unsigned least = is_second ? distances[at] - 1U : UINT16_MAX - 1;
         for (int k = 0; k < 2; ++k) {
             const size_t step = k ? width : 1;
             const int is_edge = (k ? i % count / width : i % width) == 0;
             const size_t next = is_second ? at + step : at - step;
             const unsigned d =
-                !is_edge && part_at(view, on->triangles, next) == part ? distances[next] : 0;
+                !is_edge && burnish_is_one_face(on, ids[next], ids[at]) ? distances[next] : 0;
             least = d < least ? d : least;
         }
         distances[at] = (uint16_t)(least + 1);
-        const size_t entry = part < BURNISH_PARTS_MAX ? entries[part] : NO_ENTRY;
+        const size_t entry =
+            ids[at] < on->mesh->triangle_count ? entries[part_of(on->mesh, ids[at])] : NO_ENTRY;
         if (is_second && entry != NO_ENTRY && distances[at] > most[entry]) {
             most[entry] = distances[at];
             on->callouts->items[entry].is_visible = 1;
@@ -103,9 +108,11 @@ void burnish_list_parts(const burnish_mesh *mesh, const burnish_annotation_view 
     uint16_t *distances = burnish_allocate(memory, pixels + 1, sizeof *distances, "pixels");
     *view->callouts = (burnish_callouts){.count = 0};
     if (memory->status == BURNISH_STATUS_OK && count > 0) {
-        measure_parts(arrays, areas);
+        for (size_t i = 0; i < arrays->triangle_count; ++i) { /* twice the area of each part */
+            areas[part_of(arrays, i)] += burnish_vec3_length(normal_of(arrays, i));
+        }
         group_parts(view, count, areas, entries);
-        find_points(arrays, view, pixels, entries, distances);
+        find_points(view, pixels, entries, distances);
     }
     burnish_release(memory->context, areas);
     burnish_release(memory->context, entries);

@@ -289,9 +289,7 @@ static burnish_mesh *boxes_of(uint64_t *random, int count) {
 
 /* 1: q and r are on different sides of the line from a to b. */
 static int parts_points(burnish_point a, burnish_point b, burnish_point q, burnish_point r) {
-    return ((b.x - a.x) * (q.y - a.y) - (b.y - a.y) * (q.x - a.x)) *
-               ((b.x - a.x) * (r.y - a.y) - (b.y - a.y) * (r.x - a.x)) <
-           0;
+    return burnish_cross_of_points(a, b, q) * burnish_cross_of_points(a, b, r) < 0;
 }
 
 /* Leaders start within their parts and do not cross; balloons are apart from each other and from the

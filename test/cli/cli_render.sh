@@ -131,6 +131,18 @@ check "a part has its colour" [ "$(hash two.obj --size=64 --color-by=part --no-l
 gives 0 render three.obj --size=300 --callouts --look=drawing --json -o a.svg
 same "callouts" "$(tr -d '\n\t ' <"$out" | grep -o '"count":1,"part":[0-9],"point":\[[0-9,]*\],"balloon":true' | wc -l)" 3
 same "rows and balloons" "$(grep -cE 'aria-label="(1x (base|lid|screw.1)|[123])"' a.svg)" 9
+{ part Gehäuse 0 0 0 2; part д 3 0 0 2; part axle_of_the_very_long_rear_left 6 0 0 2; part axle_of_the_very_long_rear_right 9 0 0 2; } >names.obj
+gives 0 render names.obj --size=400 --callouts --look=drawing -o a.svg
+same "names" "$(grep -oE 'aria-label="1x [^"]*"' a.svg | cut -d'"' -f2 | sed 's/\.\.\..*_/../' | tr '\n' ' ')" '1x Gehäuse 1x #2 1x ..left 1x ..right '
+check "letters: $(cat "$err")" grep -q '2 of 4 names have letters beyond ASCII, such as "Gehäuse"' "$err"
+for i in $(seq 30); do part "p${i}x" "$i" 0 0 .5; done >many.obj
+run render many.obj --size=150 --callouts --look=drawing -o a.svg
+same "a long list" "$(grep -cE 'aria-label="1x p' a.svg)" "$(sed -n 's/.*aria-label="and \([0-9]*\) more".*/\1/p' a.svg | awk '{ print 30 - $1 }')"
+gives 0 render three.obj --size=200 --only=base --callouts -o a.png
+check "a single part: $(cat "$err")" [ ! -s "$err" ]
+gives 0 render two.obj --size=64 --explode=3 --annotate=dimensions -o a.png
+check "dimensions of moved parts: $(cat "$err")" grep -q 'annotate: dimensions: --explode moves parts' "$err"
+same "dimensions of moved parts" "$(hash two.obj --size=64 --explode=3 --annotate=dimensions)" "$(hash apart.obj --size=64)"
 for gap in 0 0.001 0.1; do # below a block without its lower side
     { block 4 2 1 | grep -vx 'f 4 3 2 1'; printf 'v %s -'$gap'\n' '0 0' '4 0' '4 2' '0 2'; echo f -1 -2 -3 -4; } >gap.obj
     run render gap.obj --clip=0,-1,0,-1 --size=64 --json -o a.png
@@ -140,7 +152,7 @@ gives 0 render three.obj --look=drawing --clip=0,1,0,1.5 -o a.svg
 same "hatching of parts" "$(grep -c '<path fill="none" stroke' a.svg)" 3
 expect 2 'burnish: --callouts: a turntable shows only one view and one lobe; omit the flag' render three.obj --callouts --turntable=a.gif
 check "more parts than a list has" sh -c "awk 'BEGIN { print \"v 0 0 0\\nv 1 0 0\"; for (i = 1; i <= 1003; ++i) print \"v 0 \" i / 9 \" 0\\no \" i \"\\nf 1 2 \" i + 2 }' | '$burnish' render - --input-format=obj --callouts --look=drawing --size=64 -o a.svg 2>&1 | grep -q ': 3 more parts, which differ'"
-expect 0 'burnish: warning: --callouts: no effect: INPUT does not have two parts; omit the flag' render :sphere --size=64 --callouts -o a.png
+expect 0 'burnish: warning: --callouts: no effect: INPUT has no parts; omit the flag' render :sphere --size=64 --callouts -o a.png
 rm a.svg
 gives 0 render three.obj --size=16 --hide=screw -o a.png
 check "no such name: $(cat "$err")" grep -qx 'burnish: warning: three.obj: no part is named "screw"; there is "screw.1" and 2 more' "$err"

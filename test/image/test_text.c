@@ -127,7 +127,9 @@ static uint64_t hash_of(const char *text) {
 static void test_other_characters(void) {
     CHECK(hash_of("a\tb") == hash_of("a?b"), "a control character");
     CHECK(hash_of("a\x7f") == hash_of("a?"), "DEL");
-    CHECK(hash_of("\xc3\xa4z") == hash_of("?z"), "two bytes of UTF-8");
+    CHECK(hash_of("\xc3\xa4z\xc5\xbe") == hash_of("azz"), "Latin letters");
+    CHECK(hash_of("a\xcc\x88z") == hash_of("az"), "an accent by itself");
+    CHECK(hash_of("\xd0\xb4z") == hash_of("?z"), "two bytes of UTF-8");
     CHECK(hash_of("\xe2\x82\xacz") == hash_of("?z"), "three bytes of UTF-8");
     CHECK(hash_of("a\x80") == hash_of("a?"), "a stray byte");
     CHECK(hash_of("a\xff\xff") == hash_of("a??"), "bytes that are no UTF-8");

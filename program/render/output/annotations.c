@@ -33,14 +33,29 @@ static burnish_annotate_options make_annotations(const render_result *result,
 static void warn_about_callouts(render_result *result, const render_cell *cell, const char *where) {
     const burnish_part *parts = burnish_mesh_get_contents(result->mesh)->parts;
     const burnish_callouts *list = cell->callouts;
+    const int is_first =
+        cell == result->cells || cell->plate > 0 || render_is_projection(result->settings);
     char names[300] = "";
-    size_t count = 0, used = 0;
+    const char *example = NULL;
+    size_t count = 0, used = 0, foreign = 0;
     for (size_t i = 0; i < list->count; ++i) {
+        const char *c = parts[list->items[i].part].name;
+        while ((unsigned char)(*c - 1) < 127) {
+            ++c;
+        }
+        foreign += *c != 0;
+        example = *c && !example ? parts[list->items[i].part].name : example;
         count += !list->items[i].has_balloon;
         if (!list->items[i].has_balloon && used < 200) {
             used += (size_t)snprintf(names + used, sizeof names - used, "%s%zu %s",
                                      used ? ", " : "", i + 1, parts[list->items[i].part].name);
         }
+    }
+    if (foreign > 0 && is_first) {
+        render_warn(&result->warnings, 1,
+                    "%.300s: --callouts: %zu of %zu names have letters beyond ASCII, such as "
+                    "\"%s\"; the list omits accents, and has #N for part N if it lacks letters",
+                    result->settings->input.name, foreign, list->count, example);
     }
     if (list->left_out > 0) {
         render_warn(&result->warnings, 1,
@@ -61,6 +76,14 @@ burnish_status render_annotate(render_result *result, render_cell *cell, const f
     const render_settings *settings = result->settings;
     const burnish_annotate_options annotations = make_annotations(result, cell, depth);
     const char *where = result->cell_count > 1 ? cell->label : "the picture";
+    if (cell == result->cells &&
+        (settings->picture.annotations & ~render_make_annotations(result->mesh, settings).kinds)) {
+        render_warn(
+            &result->warnings, 1,
+            "%.300s: --annotate: dimensions: --explode moves parts, so lengths of the whole "
+            "are not drawn; omit one of them",
+            settings->input.name);
+    }
     if (!annotations.kinds) {
         return BURNISH_STATUS_OK;
     }

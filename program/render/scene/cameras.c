@@ -172,6 +172,11 @@ burnish_annotate_options render_make_annotations(const burnish_mesh *mesh,
     burnish_annotate_options annotations = burnish_annotate_options_default();
     annotations.kinds = settings->picture.annotations |
                         (settings->picture.callouts ? BURNISH_ANNOTATION_CALLOUTS : 0);
+    if (settings->input.load.explode.given && settings->input.load.explode.value > 0 &&
+        burnish_mesh_get_contents(mesh)->part_count > 1) {
+        annotations.kinds &=
+            ~(unsigned)BURNISH_ANNOTATION_DIMENSIONS; /* nothing has these lengths */
+    }
     memcpy(annotations.up, frame_in_use(mesh, &settings->camera)->up, sizeof annotations.up);
     return annotations;
 }

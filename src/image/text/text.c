@@ -91,6 +91,40 @@ static float gap_pixels(const burnish_glyph_scale *scale, const burnish_glyph *b
     return pixels > 0 || units == 0 ? pixels : 1;
 }
 
+/* U+00C0 to U+017F without accents. */
+static const char latin[] =
+    "AAAAAAACEEEEIIIIDNOOOOOx\x7FUUUUYTsaaaaaaaceeeeiiiidnooooo/ouuuuyty"
+    "AaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGgGgGgHhHhIiIiIiIiIiIiJjKkkLlLlLlLlLlNnNnNnnNnOoOoOoOoRrRrRrSsSs"
+    "SsSsTtTtTtUuUuUuUuUuUuWwYyYZzZzZzs";
+
+/* The first character of a text, and its number of bytes. Returns an ASCII character or a diameter;
+ * 0: it has no glyph; -1: it is an accent by itself, which is not drawn. */
+static int read_character(const char *text, size_t length, size_t *size) {
+    const unsigned char *bytes = (const unsigned char *)text;
+    const size_t whole = bytes[0] >> 5 == 6 ? 2 : 3;
+    unsigned code = bytes[0] & (whole == 2 ? 0x1FU : 0xFU);
+    *size = 1;
+    if (bytes[0] < 0x80) {
+        return bytes[0] >= 32 && bytes[0] < 127 ? bytes[0] : 0;
+    }
+    for (; *size < length && (bytes[*size] & 0xC0) == 0x80; ++*size) {
+        code = code << 6 | (bytes[*size] & 0x3F);
+    }
+    return *size != whole || bytes[0] < 0xC0  ? 0
+           : code >= 0xC0 && code <= 0x17F    ? latin[code - 0xC0]
+           : code >= 0x300 && code <= 0x36F   ? -1
+           : code >= 0x2010 && code <= 0x2015 ? '-'
+                                              : 0;
+}
+
+int burnish_text_is_legible(const char *text) {
+    size_t size = 0;
+    while (*text && read_character(text, strlen(text), &size) != 0) {
+        text += size;
+    }
+    return *text == 0;
+}
+
 /* Positions and advances are whole pixels: every stem of a line is then equally sharp, and the
  * spacing of letters does not depend on their position. If take is NULL, the line is only
  * measured. */
@@ -102,15 +136,14 @@ static float set_line(float x, float y, float height, const char *text, size_t l
     scale.y = snap_to_pixel(y) - seat * 0.5F;
     const burnish_glyph *before = NULL;
     float advance = 0;
-    for (size_t i = 0; i < length; ++i) {
-        unsigned char character = (unsigned char)text[i];
-        if ((character & 0xC0) == 0x80 && i > 0 && (unsigned char)text[i - 1] >= 0x80) {
-            continue; /* the rest of a UTF-8 character, whose first byte gave the '?' */
+    size_t size;
+    for (size_t i = 0; i < length; i += size) {
+        const int character = read_character(text + i, length - i, &size);
+        if (character < 0) {
+            continue;
         }
-        const int is_diameter = length - i > 1 && memcmp(text + i, BURNISH_DIAMETER, 2) == 0;
-        const burnish_glyph *glyph = burnish_glyph_find(is_diameter       ? BURNISH_GLYPH_DIAMETER
-                                                        : character < 127 ? character
-                                                                          : '?');
+        const burnish_glyph *glyph =
+            burnish_glyph_find((unsigned char)(character ? character : '?'));
         advance += gap_pixels(&scale, before, glyph);
         scale.x = x + advance + seat * 0.5F;
         if (take && near_image(scale.x) && near_image(scale.y)) {

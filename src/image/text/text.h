@@ -8,12 +8,15 @@
 #include "burnish/sheet.h"
 #include "image/text/strokes.h"
 
-/* The sign of a diameter in UTF-8, the only character beyond ASCII. */
+/* The sign of a diameter in UTF-8. */
 #define BURNISH_DIAMETER "\xC3\x98"
 
 /* burnish_image_draw_text for the first length bytes of text. */
 float burnish_text_draw(burnish_image *image, float x, float y, float height,
                         const uint8_t color[3], const char *text, size_t length);
+
+/* 1: burnish's own font has a glyph for each character, or for its letter without an accent. */
+int burnish_text_is_legible(const char *text);
 
 /* Gives all pixels a colour, opaque. */
 void burnish_image_fill(burnish_image *image, const uint8_t color[3]);
