@@ -29,10 +29,6 @@ static double width_of(const burnish_annotation_label *label) {
     return label->area.right - label->area.left;
 }
 
-static double number_room(size_t entries) {
-    return entries > 99 ? NUMBER + 0.8 : NUMBER;
-}
-
 static const char *name_of(const burnish_annotation_view *view, size_t i) {
     return view->parts[view->callouts->items[i].part].name;
 }
@@ -43,7 +39,6 @@ static const char *name_of(const burnish_annotation_view *view, size_t i) {
 static burnish_annotation_label make_row(const burnish_annotation_view *view, size_t i,
                                          double most) {
     const burnish_callout *item = &view->callouts->items[i];
-    const int is_pale = view->triangles && !item->is_visible;
     char text[2 * BURNISH_LABEL_SIZE], number[32];
     burnish_annotation_label label = {.x = 0};
     snprintf(number, sizeof number, "#%zu", item->part + 1);
@@ -59,9 +54,9 @@ static burnish_annotation_label make_row(const burnish_annotation_view *view, si
             snprintf(text, sizeof text, "%zux %s%.*s%s", item->count, is_tail ? "..." : "",
                      length - cut, name + (is_tail ? cut : 0), cut > 0 && !is_tail ? "..." : "");
         if (size < BURNISH_LABEL_SIZE) {
-            label =
-                burnish_annotation_label_at(view, text, (burnish_point){0, 0},
-                                            is_pale ? BURNISH_LAYER_HIDDEN : BURNISH_LAYER_LINES);
+            label = burnish_annotation_label_at(
+                view, text, (burnish_point){0, 0},
+                view->triangles && !item->is_visible ? BURNISH_LAYER_HIDDEN : BURNISH_LAYER_LINES);
             fits = width_of(&label) <= most;
         }
         for (size_t k = 0; fits && cut > 0 && !is_tail && k < view->callouts->count; ++k) {
@@ -85,7 +80,7 @@ static size_t fit_list(const burnish_annotation_view *view, burnish_annotation_v
     for (int k = 0; k < 3 && shown < all; ++k) {
         const double text = (double)(int)((1 - 0.15 * k) * view->text + 0.5);
         on->text = k == 0 || text > SMALLEST_TEXT ? text : SMALLEST_TEXT;
-        *most = LIST_WIDEST * smaller - number_room(all) * on->text;
+        *most = LIST_WIDEST * smaller - NUMBER * on->text;
         const double rows = (view->height - (2 * BORDER + 1) * on->text) / (ROW * on->text) + 1;
         shown = *most < 3 * on->text || rows < 2 ? 0 : rows < (double)all ? (size_t)rows - 1 : all;
     }
@@ -134,7 +129,7 @@ void burnish_annotate_parts_list(const burnish_annotation_view *view,
         const burnish_annotation_label row = make_row(&on, i, most);
         width = width_of(&row) > width ? width_of(&row) : width;
     }
-    width += shown > 0 ? number_room(all) * text : 0;
+    width += shown > 0 ? NUMBER * text : 0;
     for (int i = 0; i < view->hull_count && !list->bounded; ++i) { /* room for list and balloons */
         const burnish_point p = view->hull[i];
         burnish_annotation_add_line(
@@ -153,7 +148,7 @@ void burnish_annotate_parts_list(const burnish_annotation_view *view,
         area = other;
     }
     for (size_t i = 0; i < rows; ++i) {
-        const double left = (area.left > 0 ? area.left : border) + number_room(all) * text;
+        const double left = (area.left > 0 ? area.left : border) + NUMBER * text;
         const double baseline = border + (1 + ROW * (double)i) * text;
         char number[BURNISH_LABEL_SIZE];
         snprintf(number, sizeof number, i < shown ? "%zu" : "and %zu more",
@@ -272,16 +267,23 @@ static double cost_of(const ring *r, burnish_point start, burnish_point place) {
     return cost;
 }
 
-/* What is bad about a balloon's place. Less than the pitch from another is impossible; further away
- * is better, up to the wanted distance. Without a balloon it is worse than anything. */
+/* What is bad about a balloon's place. Less than the pitch from another, or from its leader, is
+ * worse than no balloon; further away is better, up to the wanted distance. */
 static double badness_of(const ring *r, size_t i, size_t place) {
-    const double wanted = WANTED * r->view->text;
+    const double wanted = WANTED * r->view->text, radius = 0.9 * RADIUS * r->view->text;
     double cost = place == NOWHERE ? 1e6 : (double)r->costs[i * PLACES_MAX + place];
     for (size_t k = 0; k < r->count && place != NOWHERE; ++k) {
-        const double distance = k == i || r->at[k] == NOWHERE
-                                    ? wanted
-                                    : distance_of(r->places[place], r->places[r->at[k]]);
-        cost += distance < r->pitch ? 2e6 : distance < wanted ? 0.7 * (wanted - distance) : 0;
+        if (k != i && r->at[k] != NOWHERE) {
+            const burnish_point p = r->places[place], q = r->places[r->at[k]];
+            const double distance = distance_of(p, q);
+            const burnish_area own = around(p, radius), other = around(q, radius);
+            cost += distance < r->pitch ||
+                            burnish_segment_hits(start_of(r->callouts[i]), p, &other) ||
+                            burnish_segment_hits(start_of(r->callouts[k]), q, &own)
+                        ? 2e6
+                        : 0;
+            cost += distance < wanted ? 0.7 * (wanted - distance) : 0;
+        }
     }
     return cost;
 }
@@ -315,18 +317,6 @@ static int improve_balloons(ring *r, int is_last) {
         }
     }
     return changed;
-}
-
-/* 1: the leader of a balloon runs through another balloon. */
-static int is_blocked(const ring *r, size_t i, double radius) {
-    int hits = 0;
-    for (size_t k = 0; k < r->count; ++k) {
-        if (k != i && r->at[k] != NOWHERE) {
-            const burnish_area area = around(r->places[r->at[k]], radius);
-            hits |= burnish_segment_hits(start_of(r->callouts[i]), r->places[r->at[i]], &area);
-        }
-    }
-    return hits;
 }
 
 static void draw_balloon(const burnish_annotation_view *view, const burnish_callout *callout,
@@ -372,10 +362,6 @@ void burnish_annotate_balloons(const burnish_annotation_view *view, burnish_anno
     for (int is_last = 0; is_last < 2; ++is_last) {
         for (int n = 0; n < ROUNDS && improve_balloons(&r, is_last); ++n) {
         }
-    }
-    for (size_t i = r.count; i-- > 0;) {
-        r.at[i] =
-            r.at[i] != NOWHERE && is_blocked(&r, i, 0.9 * RADIUS * view->text) ? NOWHERE : r.at[i];
     }
     for (size_t i = 0; i < r.count; ++i) {
         if (r.at[i] != NOWHERE) {

@@ -22,31 +22,17 @@ static burnish_mesh *block_of(float x, float y, float z) {
 }
 
 static void test_numbers(void) {
-    static const struct {
-        double value;
-        const char *text;
-    } cases[] = {{0, "0"},
-                 {1, "1"},
-                 {10, "10"},
-                 {0.1F, "0.1"},
-                 {12.5, "12.5"},
-                 {304.79999, "304.8"},
-                 {123.449, "123.4"},
-                 {1234.4, "1234"},
-                 {9999.7, "10000"},
-                 {12345.6, "12346"},
-                 {12345678, "12345678"},
-                 {123456789, "1.235e+08"},
-                 {1e9, "1e+09"},
-                 {0.0123456, "0.01235"},
-                 {0.0001, "0.0001"},
-                 {0.00001234, "1.234e-05"},
-                 {3e38, "3e+38"},
-                 {1e-30, "1e-30"}};
+    static const double values[] = {0,        1,         10,        0.1F,       12.5,    304.79999,
+                                    123.449,  1234.4,    9999.7,    1e9,        12345.6, 0.0001,
+                                    12345678, 123456789, 0.0123456, 0.00001234, 3e38,    1e-30};
+    static const char *const texts[] = {"0",         "1",      "10",       "0.1",       "12.5",
+                                        "304.8",     "123.4",  "1234",     "10000",     "1e+09",
+                                        "12346",     "0.0001", "12345678", "1.235e+08", "0.01235",
+                                        "1.234e-05", "3e+38",  "1e-30"};
     char text[BURNISH_LABEL_SIZE];
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        burnish_number_text(cases[i].value, text);
-        CHECK_TEXT(text, cases[i].text);
+    for (size_t i = 0; i < sizeof values / sizeof *values; ++i) {
+        burnish_number_text(values[i], text);
+        CHECK_TEXT(text, texts[i]);
     }
     if (test_decimal_comma_begin()) {
         burnish_number_text(12.5, text);

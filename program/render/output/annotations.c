@@ -33,8 +33,6 @@ static burnish_annotate_options make_annotations(const render_result *result,
 static void warn_about_callouts(render_result *result, const render_cell *cell, const char *where) {
     const burnish_part *parts = burnish_mesh_get_contents(result->mesh)->parts;
     const burnish_callouts *list = cell->callouts;
-    const int is_first =
-        cell == result->cells || cell->plate > 0 || render_is_projection(result->settings);
     char names[300] = "";
     const char *example = NULL;
     size_t count = 0, used = 0, foreign = 0;
@@ -51,7 +49,7 @@ static void warn_about_callouts(render_result *result, const render_cell *cell, 
                                      used ? ", " : "", i + 1, parts[list->items[i].part].name);
         }
     }
-    if (foreign > 0 && is_first) {
+    if (foreign > 0 && (cell == result->cells || cell->plate || !result->cells->callouts->count)) {
         render_warn(&result->warnings, 1,
                     "%.300s: --callouts: %zu of %zu names have letters beyond ASCII, such as "
                     "\"%s\"; the list omits accents, and has #N for part N if it lacks letters",
