@@ -221,10 +221,9 @@ static const cli_flag flags[] = {
          "Draws balloons with numbers around the object, leaders to the parts of the input, and a "
          "list of numbers, counts and names (*#3*: the third part, whose name is empty or not in "
          "Latin letters, which lose their accents). Equal parts have one number: the same name but "
-         "for digits at its end, as many triangles, and the same area. A single part has a number, "
-         "too, also on each plate of *--plate=sheet*. Hidden parts are paler in the list. If it "
-         "has "
-         "no room for all, its last row counts the others; *--json* has them. There are at most 64 "
+         "for digits at its end, as many triangles, and the same area. A single part has one, too, "
+         "also on a plate. Hidden parts are paler. The last row counts those that the list has no "
+         "room for; *--json* has all. There are at most 64 "
          "balloons and 1000 entries; a warning names what has no balloon. Drawing sheets have them "
          "in the pictorial view. The list replaces the legend of *--color-by=part*."},
     {DRAW_FLAG("columns", "N", "columns of a sheet", cli_flag_integer, picture.columns),

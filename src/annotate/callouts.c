@@ -294,6 +294,7 @@ static int improve_balloons(ring *r, int is_last) {
     int changed = 0;
     for (size_t i = 0; i < r->count; ++i) {
         const float *costs = r->costs + i * PLACES_MAX;
+        r->at[i] = badness_of(r, i, r->at[i]) > 1e6 ? NOWHERE : r->at[i]; /* a swap blocked it */
         double least = badness_of(r, i, r->at[i]) - 0.01;
         for (size_t place = 0; place < r->place_count && !is_last; ++place) {
             const double cost = badness_of(r, i, place);
