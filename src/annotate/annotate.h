@@ -107,6 +107,7 @@ typedef struct burnish_annotation_label {
     double x, baseline; /* whole pixels */
     burnish_area area;  /* of the ink */
     burnish_annotation_layer layer;
+    int is_turned; /* 1: it reads upward, turned about the middle of its area */
 } burnish_annotation_label;
 
 typedef struct burnish_annotation_list {
