@@ -290,6 +290,14 @@ static burnish_stroke sharpened_stroke(burnish_stroke stroke) {
     return stroke;
 }
 
+/* By a right angle about the middle of an area. */
+static burnish_stroke turned_stroke(burnish_stroke s, const burnish_area *area) {
+    const float x = (float)((area->left + area->right) / 2);
+    const float y = (float)((area->top + area->bottom) / 2);
+    return (burnish_stroke){x + (s.y0 - y), y - (s.x0 - x), x + (s.y1 - y), y - (s.x1 - x),
+                            s.radius};
+}
+
 /* The strokes of a layer, or of LINES and all after it, each thickened by `rim` on both sides. */
 static void gather_strokes(const burnish_annotation_list *list, int first, int last, float rim,
                            burnish_stroke_list *to) {
@@ -303,8 +311,12 @@ static void gather_strokes(const burnish_annotation_list *list, int first, int l
     for (size_t i = 0; i < list->label_count; ++i) {
         const burnish_annotation_label *label = &list->labels[i];
         if ((int)label->layer >= first && (int)label->layer <= last) {
+            const size_t from = to->count;
             burnish_text_strokes((float)label->x, (float)label->baseline, (float)label->height,
                                  label->text, strlen(label->text), burnish_stroke_list_append, to);
+            for (size_t k = from; k < to->count && label->is_turned; ++k) {
+                to->items[k] = turned_stroke(to->items[k], &label->area);
+            }
         }
     }
     for (size_t i = 0; i < to->count; ++i) {

@@ -115,6 +115,7 @@ typedef struct burnish_annotation_label {
     double height;      /* of a capital */
     burnish_area area;  /* of the ink */
     burnish_annotation_layer layer;
+    int is_turned; /* 1: it reads upward, turned about the middle of its area */
 } burnish_annotation_label;
 
 typedef struct burnish_annotation_list {

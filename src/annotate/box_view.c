@@ -131,7 +131,8 @@ static void choose_sizes(const burnish_annotate_options *annotations,
     double text = annotations->text_height > 0 ? annotations->text_height : smaller / 44;
     text = annotations->text_height > 0 || text > 9 ? text : 9;
     view->text = (double)(int)(text + 0.5);
-    view->line = (double)(int)(view->text / 12 + 0.5);
+    view->line = annotations->text_height > 0 ? view->text / 14 /* .25 mm where it is 3.5 mm */
+                                              : (double)(int)(view->text / 12 + 0.5);
     view->line = view->line > 1 ? view->line : 1;
 }
 

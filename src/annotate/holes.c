@@ -8,9 +8,11 @@
 #include "mesh/axes.h"
 
 /* In heights of a capital. */
-#define OFFSET 1.2 /* from the object's box to the line of positions */
+#define OFFSET 1.2 /* from the object's box to the line of positions, ... */
+#define MARK 0.5   /* ... and more where a section's arrows are */
 #define OVER 0.3   /* of an extension line beyond it, and from there to its number */
 #define CLEAR 0.3  /* around labels */
+#define JOG 0.7    /* of extension lines, across it, to numbers that are moved apart */
 #define ORIGIN 0.4
 #define SHORTEST 1.1 /* leader */
 #define STEP 1.3     /* between the lengths of a leader that are tried */
@@ -20,9 +22,11 @@
 #define LEAST_RADIUS 2.0 /* pixels */
 #define SAME 0.05        /* pixels between positions that are one */
 #define DIAGONAL 0.70710678118654752440
+#define STEEP_X 0.5
+#define STEEP_Y 0.86602540378443864676
 
 /* Bounds of time: labels in all, those tried next to circles, edges that each keeps clear of. */
-enum { LABELS_MAX = 56, LEADERS = 32, MEMBERS = 8, DIAMETERS_MAX = 32, OUTLINES_MAX = 1 << 16 };
+enum { LABELS_MAX = 56, LEADERS = 64, MEMBERS = 8, DIAMETERS_MAX = 32, OUTLINES_MAX = 1 << 16 };
 
 typedef struct hole {
     burnish_point at;
@@ -105,16 +109,6 @@ static void add_outlines(finder *f, const burnish_edges *edges) {
     }
 }
 
-/* A label with a gap between it and a point, which d leads away from along an axis of the picture. */
-static burnish_annotation_label label_beside(const finder *f, const char *text, burnish_point p,
-                                             burnish_point d, double gap) {
-    const burnish_area own =
-        burnish_annotation_label_at(f->view, text, p, BURNISH_LAYER_LINES).area;
-    const double reach = (d.x != 0 ? own.right - own.left : own.bottom - own.top) / 2;
-    return burnish_annotation_label_at(f->view, text, burnish_moved_along(p, d, gap + reach),
-                                       BURNISH_LAYER_LINES);
-}
-
 /* Takes a label if there is room. */
 static int take_label(finder *f, const burnish_annotation_label *label) {
     const burnish_area area = burnish_area_grown(label->area, CLEAR * f->view->text);
@@ -134,15 +128,19 @@ static void add_line(const finder *f, burnish_point a, burnish_point b) {
 
 /* ---- Diameters ---- */
 
-/* A leader from the circle to a label outside it, along a diagonal. */
+/* A leader from the circle to a label outside it, along a diagonal or steeper. */
 static int try_leader(finder *f, const hole *h, const char *text, int which) {
-    const double step = (SHORTEST + STEP * (which / 4)) * f->view->text;
-    const double side = which & 1 ? -1 : 1;
-    const burnish_point d = {side * DIAGONAL, which & 2 ? DIAGONAL : -DIAGONAL};
+    const double step = (SHORTEST + STEP * (which / 8)) * f->view->text;
+    const double x = which & 4 ? STEEP_X : DIAGONAL, y = which & 4 ? STEEP_Y : DIAGONAL;
+    burnish_point d = {which & 1 ? -x : x, which & 2 ? y : -y};
     const burnish_point tip = burnish_moved_along(h->at, d, h->radius);
+    const double side = d.x < 0 ? -1 : 1;
     const burnish_point elbow = burnish_moved_along(tip, d, step);
-    const burnish_annotation_label label =
-        label_beside(f, text, elbow, (burnish_point){side, 0}, CLEAR * f->view->text);
+    const burnish_area own =
+        burnish_annotation_label_at(f->view, text, elbow, BURNISH_LAYER_LINES).area;
+    const double aside = CLEAR * f->view->text + (own.right - own.left) / 2;
+    const burnish_annotation_label label = burnish_annotation_label_at(
+        f->view, text, (burnish_point){elbow.x + side * aside, elbow.y}, BURNISH_LAYER_LINES);
     for (double at = SHORTEST * f->view->text; at < step; at += CLEAR * f->view->text) {
         const burnish_point p = burnish_moved_along(tip, d, at);
         const burnish_area around =
@@ -154,8 +152,12 @@ static int try_leader(finder *f, const hole *h, const char *text, int which) {
     if (!take_label(f, &label)) {
         return 0;
     }
+    const size_t first = f->list->line_count;
     burnish_annotation_add_arrow(f->view, tip, d, f->list);
     add_line(f, burnish_moved_along(tip, d, BURNISH_ARROW_LENGTH * f->view->text), elbow);
+    for (size_t i = first; i < f->list->line_count; ++i) {
+        f->list->lines[i].layer = BURNISH_LAYER_BOX; /* no rim that breaks outlines */
+    }
     return 1;
 }
 
@@ -189,7 +191,15 @@ static void add_diameter(finder *f, size_t first) {
 /* Along x above the box, or along y on its left. */
 typedef struct running {
     burnish_point origin, along, out;
+    double length; /* of the box */
 } running;
+
+/* Where a hole's centre is along a line of positions, and the middle of its number. */
+typedef struct position {
+    const hole *hole;
+    double at, to, half; /* half: of the room that the number needs along the line */
+    char text[BURNISH_LABEL_SIZE];
+} position;
 
 static double measure(const running *r, const hole *h, burnish_point d) {
     return (h->at.x - r->origin.x) * d.x + (h->at.y - r->origin.y) * d.y;
@@ -202,7 +212,7 @@ static const hole *next_position(const finder *f, const running *r, double last)
     for (size_t i = 0; i < f->count; ++i) {
         const hole *h = &f->holes[i];
         const double at = measure(r, h, r->along), best = next ? measure(r, next, r->along) : 0;
-        if (at > last + SAME && at > h->largest + SAME &&
+        if (at > last + SAME && at > h->largest + SAME && at < r->length - SAME &&
             (!next || at < best - SAME ||
              (at < best + SAME && measure(r, h, r->out) > measure(r, next, r->out)))) {
             next = h;
@@ -211,35 +221,106 @@ static const hole *next_position(const finder *f, const running *r, double last)
     return next;
 }
 
+/* The label of a number with its middle at a point; a turned one reads upward. */
+static burnish_annotation_label number_at(const finder *f, const char *text, burnish_point p,
+                                          int is_turned) {
+    burnish_annotation_label made =
+        burnish_annotation_label_at(f->view, text, p, BURNISH_LAYER_LINES);
+    const burnish_area a = made.area;
+    const double x = (a.left + a.right) / 2, y = (a.top + a.bottom) / 2;
+    const double wide = (a.right - a.left) / 2, high = (a.bottom - a.top) / 2;
+    if (is_turned) {
+        made.is_turned = 1;
+        made.area = (burnish_area){x - high, y - wide, x + high, y + wide};
+    }
+    return made;
+}
+
+/* Numbers that have no room next to each other are moved apart, by no more than they need. Returns
+ * whether one is. */
+static int spread_numbers(const finder *f, position *all, size_t count, int is_wide) {
+    double before = -1e9, after = 1e9;
+    int is_moved = 0;
+    for (size_t i = 0; i < count; ++i) {
+        const burnish_area a = number_at(f, all[i].text, (burnish_point){0, 0}, 0).area;
+        all[i].half = (is_wide ? a.right - a.left : f->view->text) / 2 + CLEAR * f->view->text;
+        all[i].to = all[i].at > before + all[i].half ? all[i].at : before + all[i].half;
+        is_moved |= all[i].to > all[i].at;
+        before = all[i].to + all[i].half;
+    }
+    for (size_t i = count; i-- > 0;) {
+        const double low = all[i].at < after - all[i].half ? all[i].at : after - all[i].half;
+        all[i].to = (all[i].to + low) / 2;
+        after = low - all[i].half;
+    }
+    return is_moved;
+}
+
+/* A number with an extension line from its hole. */
+static int add_position(finder *f, const running *r, const position *p, burnish_point on,
+                        int is_moved) {
+    const double text = f->view->text;
+    int is_turned = is_moved && r->along.x > 0, is_placed = 0;
+    const burnish_point end = burnish_moved_along(on, r->out, OVER * text);
+    const burnish_point jog = burnish_moved_along(burnish_moved_along(end, r->along, p->to - p->at),
+                                                  r->out, is_moved ? JOG * text : 0);
+    for (; is_turned < 2 && !is_placed; ++is_turned) { /* one that has no room is tried turned */
+        const burnish_area own = number_at(f, p->text, jog, is_turned).area;
+        const double reach = (r->along.x > 0 ? own.bottom - own.top : own.right - own.left) / 2;
+        const burnish_annotation_label label =
+            number_at(f, p->text, burnish_moved_along(jog, r->out, OVER * text + reach), is_turned);
+        is_placed = take_label(f, &label);
+    }
+    f->list->left_out += !is_placed;
+    if (!is_placed) {
+        return 0;
+    }
+    burnish_annotation_add_line(
+        f->list, burnish_moved_along(p->hole->at, r->out, p->hole->largest + CLEAR * text), end,
+        f->view->line, BURNISH_LAYER_BOX); /* without a rim over the object */
+    add_line(f, on, end);
+    add_line(f, end, jog);
+    return 1;
+}
+
 static void add_positions(finder *f, const running *r) {
     const double text = f->view->text, arrow = BURNISH_ARROW_LENGTH * text;
-    const burnish_point origin = burnish_moved_along(r->origin, r->out, OFFSET * text);
-    double at = 0, last = 0;
-    for (const hole *h = next_position(f, r, 0); h; h = next_position(f, r, at)) {
-        char number[BURNISH_LABEL_SIZE];
-        at = measure(r, h, r->along);
-        burnish_number_text(at / f->view->pixels, number);
-        const burnish_point on = burnish_moved_along(origin, r->along, at);
-        const burnish_point end = burnish_moved_along(on, r->out, OVER * text);
-        const burnish_annotation_label label = label_beside(f, number, end, r->out, OVER * text);
-        if (!take_label(f, &label)) {
-            ++f->list->left_out;
+    const burnish_vec3 cut = burnish_vec3_load(f->view->section.normal);
+    const double mark = burnish_magnitude(burnish_vec3_dot(cut, f->view->right) * r->along.x +
+                                          burnish_vec3_dot(cut, f->view->up) * r->along.y);
+    const double offset = (OFFSET + (mark > DIAGONAL ? MARK : 0)) * text;
+    const burnish_point origin = burnish_moved_along(r->origin, r->out, offset);
+    position all[LABELS_MAX];
+    size_t count = 0;
+    double last = 0;
+    for (const hole *h = next_position(f, r, 0); h; h = next_position(f, r, last)) {
+        last = measure(r, h, r->along);
+        f->list->left_out += count == LABELS_MAX;
+        if (count < LABELS_MAX) {
+            all[count] = (position){.hole = h, .at = last};
+            burnish_number_text(last / f->view->pixels, all[count++].text);
+        }
+    }
+    const int is_moved = spread_numbers(f, all, count, r->along.x > 0);
+    if (is_moved && r->along.x > 0) { /* all are turned (ISO 129-1) */
+        spread_numbers(f, all, count, 0);
+    }
+    last = 0;
+    for (size_t i = 0; i < count; ++i) {
+        const burnish_point on = burnish_moved_along(origin, r->along, all[i].at);
+        if (!add_position(f, r, &all[i], on, is_moved)) {
             continue;
         }
-        burnish_annotation_add_line(
-            f->list, burnish_moved_along(h->at, r->out, h->largest + CLEAR * text), end,
-            f->view->line / 2, BURNISH_LAYER_BOX); /* narrow and without a rim over the object */
-        const burnish_point edge = burnish_moved_along(on, r->out, (CLEAR - OFFSET) * text);
-        add_line(f, on, end);
+        const burnish_point edge = burnish_moved_along(on, r->out, CLEAR * text - offset);
         if (!burnish_annotation_hits_label(f->list, edge, on, f->view->line)) {
-            add_line(f, edge, on); /* else the narrow line ends at the label's rim */
+            add_line(f, edge, on); /* else the line without a rim ends at the label's rim */
         }
         add_line(f, burnish_moved_along(origin, r->along, last), on);
-        if (at - last > 1.5 * arrow) {
+        if (all[i].at - last > 1.5 * arrow) {
             burnish_annotation_add_arrow(f->view, on, (burnish_point){-r->along.x, -r->along.y},
                                          f->list);
         }
-        last = at;
+        last = all[i].at;
     }
     if (last > 0) {
         burnish_annotation_add_line(f->list, origin, origin, ORIGIN * text, BURNISH_LAYER_LINES);
@@ -261,8 +342,8 @@ static void annotate_holes(finder *f) {
                                         f->view->line, BURNISH_LAYER_LINES);
         }
     }
-    add_positions(f, &(running){{box.left, box.top}, {1, 0}, {0, -1}});
-    add_positions(f, &(running){{box.left, box.bottom}, {0, -1}, {-1, 0}});
+    add_positions(f, &(running){{box.left, box.top}, {1, 0}, {0, -1}, box.right - box.left});
+    add_positions(f, &(running){{box.left, box.bottom}, {0, -1}, {-1, 0}, box.bottom - box.top});
     for (size_t i = 0; i < f->count; ++i) {
         if (!f->holes[i].is_done) {
             add_diameter(f, i);

@@ -146,7 +146,8 @@ for angle in third first; do
     check "holes: $(cat "$err")$(grep -o 'aria-label="[^"]*"' a.svg)" [ "$(grep -o 'aria-label="[0-9Ø][^":]*"' a.svg | tr -d '\n')" = \
         "$(printf 'aria-label="%s"' 60 5 10 30 50 10 30 '5x Ø5' Ø12 40)" ]
 done
-run render pins.obj --up=+Z --look=drawing --views=third-angle --size=400 --annotate=dimensions -o a.svg
+expect 0 '' render pins.obj --up=+Z --look=drawing --views=third-angle --size=400 --annotate=dimensions -o a.svg # numbers are turned
+run render pins.obj --up=+Z --look=drawing --views=third-angle --size=240 --annotate=dimensions -o a.svg
 check "too small: $(cat "$err")" grep -q 'top has no room for [1-9]' "$err"
 run render pins.obj --up=+Z --look=drawing --views=third-angle --annotate=dimensions -o a.pdf
 check "a diameter in PDF" grep -aqF '(5x \3305) Tj' a.pdf
@@ -183,6 +184,14 @@ for page in a4=297=210 a3=420=297; do
     done
 done
 rm a-part*.obj
+# A page is not empty, whatever the size of its object.
+for size in 1e-30 1e30; do
+    block $size $size $size >a.obj
+    expect 0 'burnish: warning: a.obj: a unit counts as a millimetre, which needs a scale beyond the 1:10000 to 50:1 of ISO 5455' \
+        render a.obj --look=drawing --views=third-angle --paper=a4 --json=a.json -o a.svg
+    check "an object of $size" python3 -c 'import json; assert min(c["covered_pixels"] for c in json.load(open("a.json"))["cells"]) > 9999'
+done
+rm a.obj a.json
 expect 0 'burnish: warning: --size: no effect: --paper sets the size of the page; omit one of them' \
     render ../block.obj --views=third-angle --paper=a4 --size=800 -o a.svg --look=drawing
 expect 2 'burnish: --views: first-angle is a whole sheet; omit the other views' render :sphere --views=top,first-angle

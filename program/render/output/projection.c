@@ -9,6 +9,9 @@
 /* The size of the page without --resolution: A4 at 144 dots per inch. */
 enum { PAPER_WIDTH = 1684, PAPER_HEIGHT = 1190 };
 
+#define SCALE_LEAST 1e-4 /* that ISO 5455 recommends */
+#define SCALE_MOST 50
+
 /* The size of a page in pixels. */
 static void choose_page(render_settings *settings) {
     static const int sides[] = {1189, 841, 594, 420, 297, 210}; /* millimetres: A0 to A4 */
@@ -114,6 +117,14 @@ burnish_status render_lay_out_projection(render_result *result, burnish_error *e
     }
     render_extents(result->mesh, &settings->camera, projection->extents);
     burnish_status status = burnish_projection_lay_out(projection, error);
+    const double scale = projection->pixels_per_unit / projection->pixels_per_millimetre;
+    if (status == BURNISH_STATUS_OK && projection->pixels_per_millimetre > 0 &&
+        !(scale >= SCALE_LEAST && scale <= SCALE_MOST)) {
+        render_warn(&result->warnings, 1,
+                    "%.200s: a unit counts as a millimetre, which needs a scale beyond the 1:10000 "
+                    "to 50:1 of ISO 5455",
+                    settings->input.name);
+    }
     for (size_t i = 0; i < result->cell_count && status == BURNISH_STATUS_OK; ++i) {
         status = aim_view(result, i, error);
     }

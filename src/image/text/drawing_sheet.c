@@ -49,10 +49,11 @@ static int divide_side(double side, double room, double wide, double deep, doubl
 }
 
 /* The largest of 1, 2 or 5 times a power of 10, or 1 divided by one, that is at most `limit`, with
- * its ratio as text (ISO 5455). */
+ * its ratio as text (ISO 5455); `limit` without a text if it is not between 10^-6 and 10^6. */
 static double standard_scale(double limit, char *text, size_t size) {
     static const int digits[3] = {5, 2, 1};
-    for (int power = 1000; power >= 1; power /= 10) {
+    *text = 0;
+    for (int power = 100000; power >= 1 && limit < 1e6; power /= 10) {
         for (int i = 0; i < 3; ++i) {
             if (digits[i] * power <= limit) {
                 snprintf(text, size, "%d:1", digits[i] * power);
@@ -60,7 +61,7 @@ static double standard_scale(double limit, char *text, size_t size) {
             }
         }
     }
-    for (int power = 1; power <= 100000; power *= 10) {
+    for (int power = 1; power <= 100000 && limit < 1; power *= 10) {
         for (int i = 2; i >= 0; --i) {
             if (1.0 / (digits[i] * power) <= limit) {
                 snprintf(text, size, "1:%d", digits[i] * power);
@@ -68,7 +69,6 @@ static double standard_scale(double limit, char *text, size_t size) {
             }
         }
     }
-    *text = 0;
     return limit;
 }
 

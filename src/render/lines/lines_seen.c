@@ -8,12 +8,14 @@
 enum {
     SAMPLES_MAX = 1 << 16, /* of a chain, which has at most 32,000 pixels and a segment more */
     GAP_MAX = 2,           /* samples: shorter gaps are closed */
-    SWITCH_MAX = 4         /* samples: a shorter change between outline and inner line is none */
+    SWITCH_MAX = 4,        /* samples: a shorter change between outline and inner line is none */
+    TRIM_MAX = 10          /* samples that are taken from a line which passes behind another one */
 };
 
 /* What a sample shows; RIM: an outline where the background begins. COVERED: another line is drawn
- * there. */
-enum { HIDDEN, INNER, OUTLINE, RIM, COVERED };
+ * there. BLOCKED is added if a feature's own pixel shows a surface well before it, and only one next
+ * to it does not: where a line passes behind an outline at a small angle, it would reach across. */
+enum { HIDDEN, INNER, OUTLINE, RIM, COVERED, BLOCKED = 16 };
 
 /* Pixels. */
 #define SURFACE_SLACK 2.0 /* of depth: how far a pixel's surface may be before an edge's sample */
@@ -75,15 +77,15 @@ static uint32_t triangle_at(const burnish_target *target, int x, int y) {
 }
 
 /* Whether what a pixel near the edge shows is the edge's own triangle, not behind a cap, or nothing
- * nearer than the edge. The latter tells nothing of an edge without a front-facing triangle, unless
- * triangles are seen from their back here: a part seen along an axis hides the edges of its other
- * side, which lie just where its own do. */
+ * nearer than the edge; BLOCKED if only pixels next to a feature do. The latter tells nothing of an
+ * edge without a front-facing triangle, unless triangles are seen from their back here: a part seen
+ * along an axis hides the edges of its other side, which lie just where its own do. */
 static int is_seen(const burnish_line_scene *scene, const burnish_line_segment *s,
                    const sample *at) {
     const double limit = at->distance * (1 - DISTANCE_PRECISION) - SURFACE_SLACK * at->pixel;
     const double aside[4] = {0, 1, -1, JUST_OUTSIDE * s->outside};
     const int count = s->outside ? 4 : 3;
-    int is_free = 0, sees_back = s->has_front;
+    int is_free = 0, sees_back = s->has_front, blocked = 0;
     for (int i = 0; i < count; ++i) {
         int x, y;
         if (!pixel_beside(scene, at, aside[i], &x, &y)) {
@@ -94,12 +96,16 @@ static int is_seen(const burnish_line_scene *scene, const burnish_line_segment *
         const int is_cap =
             shows && scene->cap_facing && scene->facing[triangle] == scene->cap_facing;
         if (shows && !is_cap && (triangle == s->triangles[0] || triangle == s->triangles[1])) {
-            return 1;
+            return 1 | blocked;
         }
-        is_free |= (double)depth_at(scene->target, x, y) >= limit;
+        const double depth = (double)depth_at(scene->target, x, y);
+        if (i == 0 && s->is_feature && depth < limit - STEP_DEPTH * at->pixel) {
+            blocked = BLOCKED;
+        }
+        is_free |= depth >= limit;
         sees_back |= shows && scene->facing[triangle] < 0;
     }
-    return is_free && sees_back;
+    return is_free && sees_back ? 1 | blocked : 0;
 }
 
 /* The distance of what a pixel beside the edge shows; 0 for the background. At the picture's border
@@ -129,11 +135,13 @@ static uint8_t step_at(const burnish_line_scene *scene, const burnish_line_segme
 
 static uint8_t look_at(burnish_line_scene *scene, const burnish_line_segment *s, double t) {
     const sample at = sample_at(scene, s, t);
-    if (!is_seen(scene, s, &at)) {
+    const int seen = is_seen(scene, s, &at);
+    if (!seen) {
         return HIDDEN;
     }
     const uint8_t step = step_at(scene, s, &at);
-    return step != HIDDEN ? step : s->is_feature ? INNER : HIDDEN;
+    const uint8_t state = step != HIDDEN ? step : s->is_feature ? INNER : HIDDEN;
+    return state == HIDDEN ? state : (uint8_t)(state | (seen & BLOCKED));
 }
 
 /* ---- Hidden lines ---- */
@@ -207,6 +215,28 @@ static size_t run_end(const uint8_t *states, size_t first, size_t count) {
         ++end;
     }
     return end;
+}
+
+/* Blocked samples next to a run of hidden ones become hidden, but for the two farthest from it. All
+ * lose the mark. */
+static void trim_blocked(uint8_t *states, size_t count) {
+    for (size_t first = 0, end; first < count; first = end) {
+        end = run_end(states, first, count);
+        if (states[first] == HIDDEN && end - first > GAP_MAX) {
+            const size_t last = end;
+            for (size_t i = first;
+                 i > 2 && first - i < TRIM_MAX && states[i - 1] & states[i - 3] & BLOCKED; --i) {
+                states[i - 1] = HIDDEN;
+            }
+            while (end + 2 < count && end - last < TRIM_MAX &&
+                   states[end] & states[end + 2] & BLOCKED) {
+                states[end++] = HIDDEN;
+            }
+        }
+    }
+    for (size_t i = 0; i < count; ++i) {
+        states[i] &= (uint8_t)~BLOCKED;
+    }
 }
 
 /* Runs of `state` no longer than `most` between two samples that are not HIDDEN get the state
@@ -423,6 +453,7 @@ static void look_along(const burnish_line_art *art, burnish_line_scene *scene, c
         states[i] = (scene->taken ? look_behind : look_at)(scene, &art->segments[end / 2],
                                                            end % 2 ? 1 - t : t);
     }
+    trim_blocked(states, samples);
     close_runs(states, samples, HIDDEN, GAP_MAX);
     close_runs(states, samples, INNER, SWITCH_MAX);
     close_runs(states, samples, OUTLINE, SWITCH_MAX);
