@@ -7,7 +7,7 @@
 #include "raster/raster_ops.h"
 #include "render/frame/carving.h"
 #include "render/frame/target.h"
-#include "render/light/casters.h"
+#include "render/light/maps/casters.h"
 #include "render/lines/lines.h"
 #include "render/lines/outline.h"
 #include "render/splats/splatting.h"

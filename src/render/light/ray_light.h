@@ -10,7 +10,7 @@
 #include "raster/tile.h"
 #include "rays/rays.h"
 #include "render/light/area.h"
-#include "render/light/occlusion_share.h"
+#include "render/light/maps/occlusion_share.h"
 #include "render/render_ops.h"
 #include "shading/shader.h"
 

@@ -5,7 +5,7 @@
 #define BURNISH_RENDER_LIGHT_OCCLUSION_SHARE_H
 
 #include "raster/tile_layout.h"
-#include "render/light/occlusion.h"
+#include "render/light/maps/occlusion.h"
 #include "render/render_ops.h"
 
 enum {
