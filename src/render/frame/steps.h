@@ -70,7 +70,7 @@ struct burnish_renderer {
     burnish_area area;
     burnish_tiles tiles;
     burnish_occlusion occlusion;
-    burnish_ray_tree rays;
+    burnish_ray_tree rays, volumes; /* of what is opaque, and what refracts */
     burnish_line_art line_art;
     burnish_outline outline;
     burnish_ground ground;
