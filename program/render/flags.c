@@ -521,7 +521,7 @@ static const cli_flag flags[] = {
                "lights are area lights, the strongest area light does, as if all of its light came "
                "from its centre. If it is wide and there is occlusion, its soft shadow on the "
                "object is there without this flag."},
-    {DRAW_SWITCH("raytracing", "find occlusion, shadows and reflections by rays",
+    {DRAW_SWITCH("raytracing", "find occlusion, shadows, reflections and refraction by rays",
                  shading.raytracing),
      .svg = CLI_SVG_REFUSED, .aliases = "ray-tracing,raytrace,rays,rt",
      .manual =

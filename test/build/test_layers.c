@@ -66,11 +66,15 @@ static const struct layer {
     {"src/render", "base core raster simd burnish/mesh.h"},
     {"src/render/drawing",
      "base core image/text/drawing.h render/frame burnish/drawing.h burnish/render.h"},
-    {"src/render/frame", "base core simd raster rays shading render render/light render/lines "
-                         "render/splats render/texture "
-                         "burnish/core.h burnish/look.h burnish/mesh.h burnish/render.h"},
-    {"src/render/light", "base core environment simd raster rays render render/texture shading "
-                         "burnish/light.h burnish/mesh.h burnish/render.h"},
+    {"src/render/frame",
+     "base core simd raster rays shading render render/light render/light/maps render/lines "
+     "render/splats render/texture "
+     "burnish/core.h burnish/look.h burnish/mesh.h burnish/render.h"},
+    {"src/render/light",
+     "base core environment simd raster rays render render/light/maps render/texture shading "
+     "burnish/light.h burnish/mesh.h burnish/render.h"},
+    {"src/render/light/maps",
+     "base core simd raster render render/texture burnish/mesh.h burnish/render.h"},
     {"src/render/lines",
      "base core mesh/axes.h image/text/strokes.h raster render burnish/render.h"},
     {"src/render/splats",

@@ -1,13 +1,13 @@
 /* Pairs of depth maps, whose triangles skip lists and tiles, against maps one by one; and clusters of
  * vertices for them. */
-#include "render/light/depth_map.h"
+#include "render/light/maps/depth_map.h"
 
 #include <math.h>
 
 #include "burnish/kernels.h"
 #include "raster/raster_ops.h"
-#include "render/light/occlusion.h"
-#include "render/light/vertex_clusters.h"
+#include "render/light/maps/occlusion.h"
+#include "render/light/maps/vertex_clusters.h"
 #include "support.h"
 
 enum {

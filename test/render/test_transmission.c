@@ -90,7 +90,7 @@ static void check_rays(burnish_isa isa, float index, burnish_texture_scratch *sc
     const burnish_kernels_shader shader = {.viewer = {0, 0, 1}};
     burnish_textured_material material = {.material = glass(1)};
     const burnish_passing passing = {
-        &material, &shader, {.normal = {normal[0], normal[1], normal[2]}}, facing};
+        &material, &shader, {.normal = {normal[0], normal[1], normal[2]}}, facing, 0};
     material.material.refractive_index = index;
     for (int i = 0; i < COUNT; ++i) {
         const double angle = i * M_PI / 2 / COUNT, turn = 0.7 * i;
@@ -135,7 +135,7 @@ static void test_rays(void) {
 
 /* Clear glass in even light and in front of it is seen by nothing but what the two fits of
  * Fresnel's term differ by. */
-static void test_even_light(void) {
+static void test_even_light(int raytracing) {
     enum { SIDE = 64 };
     static float pixels[SIDE * SIDE][4];
     burnish_mesh *mesh = load_mesh(":sphere", NULL);
@@ -146,6 +146,7 @@ static void test_even_light(void) {
     set_material(mesh, &material);
     options.light_count = 0;
     options.has_dome = 1;
+    options.raytracing = options.occlusion = raytracing;
     set_three(options.ambient_light, 0);
     set_three(options.dome.zenith, 1);
     set_three(options.dome.horizon, 1);
@@ -156,6 +157,43 @@ static void test_even_light(void) {
         CHECK(fabs((double)pixels[i][1] - 1) < 0.03, "pixel %d: %g", i, (double)pixels[i][1]);
     }
     burnish_mesh_destroy(mesh);
+}
+
+/* A plate that is tilted by 45 degrees, before a wall that is white on the left: rays move it by sin(i - r)
+ * / cos r of the thickness. */
+static void test_plate(void) {
+    enum { SIDE = 64 };
+    static float pixels[SIDE * SIDE][4];
+    static const float corners[48] = {
+        -3, -4, 3,  3, -4, -3, 3, 4, -3, -3, 4, 3,  2, -4, -4, -4, -4, 2,  -4, 4, 2,  2, 4, -4,
+        -9, -9, -9, 0, -9, -9, 0, 9, -9, -9, 9, -9, 0, -9, -9, 9,  -9, -9, 9,  9, -9, 0, 9, -9};
+    static const uint16_t numbers[8] = {0, 0, 0, 0, 1, 1, 2, 2};
+    burnish_material materials[3] = {glass(1), burnish_material_default(),
+                                     burnish_material_default()};
+    burnish_mesh_description arrays = describe_quads(corners, NULL, 4);
+    burnish_render_options options = front_options(SIDE, SIDE, 2);
+    for (int i = 0; i < 3; ++i) {
+        materials[i].attenuation_distance = 0;
+        materials[i].has_diffuse = 1;
+        set_three(materials[i].specular, 0);
+        set_three(materials[i].diffuse, i == 2 ? 0 : 1);
+        set_three(materials[i].ambient, i == 2 ? 0 : 1);
+    }
+    give_materials(&arrays, materials, 3);
+    arrays.triangle_materials = (burnish_array){numbers, 8, 0};
+    OWNED_MESH *mesh = create_mesh(&arrays, NULL);
+    options.light_count = 0;
+    options.has_dome = options.occlusion = options.raytracing = 1;
+    set_three(options.dome.zenith, 1);
+    set_three(options.dome.horizon, 1);
+    set_three(options.dome.nadir, 1);
+    draw_floats(mesh, &options, pixels[0], NULL);
+    const double r = asin(sqrt(0.5) / 1.5), shift = sqrt(2) * sin(M_PI / 4 - r) / cos(r);
+    for (int x = 0; x < SIDE; ++x) {
+        const double off = (2 * x + 1.0) / SIDE - 1 - shift,
+                     seen = (double)pixels[32 * SIDE + x][1];
+        CHECK(fabs(off) < 0.05 || (seen > 0.5) == (off < 0), "at %d: %g", x, seen);
+    }
 }
 
 /* No triangle has the first material, whose maps are not made. */
@@ -179,7 +217,9 @@ int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(test_panes());
     RUN(test_rays());
-    RUN(test_even_light());
+    RUN(test_even_light(0));
+    RUN(test_even_light(1));
+    RUN(test_plate());
     RUN(test_unused());
     return test_end("transmission");
 }

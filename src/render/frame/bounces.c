@@ -17,7 +17,8 @@ void burnish_occlude_batch(const burnish_shading *shading, const burnish_fragmen
     burnish_share_points shared = {.w = points->w,
                                    .pixels = batch->pixels,
                                    .first_pixel = batch->first_pixel,
-                                   .shown = batch->shown};
+                                   .shown = batch->shown,
+                                   .are_layers = batch->samples != NULL};
     for (int k = 0; k < 3; ++k) {
         shared.position[k] = points->position[k];
         shared.normal[k] = points->normal[k];

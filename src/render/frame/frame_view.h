@@ -6,8 +6,8 @@
 #include "burnish/render.h"
 #include "render/frame/surface.h"
 #include "render/light/ground.h"
-#include "render/light/occlusion.h"
-#include "render/light/shadow.h"
+#include "render/light/maps/occlusion.h"
+#include "render/light/maps/shadow.h"
 #include "render/space.h"
 
 typedef struct burnish_view {

@@ -143,10 +143,33 @@ static void weigh_directions(burnish_call *d) {
 /* Pixels of one surface are this near to its plane, in widths of a pixel. */
 #define RAY_NEAR 2.0
 
-/* The tree of what casts shadows. */
-static burnish_status update_tree(burnish_call *d) {
+/* The tree of volumes that refract, if there are any. */
+static burnish_status update_volumes(burnish_call *d, burnish_ray_mesh mesh) {
+    enum { BITS = 16 };
+    const burnish_textured_material *materials = d->view.shading.texturing->materials;
+    const uint16_t *of = d->solid->triangle_materials;
+    const size_t count = mesh.view->triangle_count;
+    int are_any = 0;
+    uint16_t *out = burnish_allocate_zeroed(&d->memory, count / BITS + 1, sizeof *out, "volumes");
+    for (size_t i = 0; out && i < count; ++i) {
+        const int is_one = i < d->solid->triangle_count && materials[of ? of[i] : 0].refracts;
+        out[i / BITS] |= (uint16_t)(!is_one << i % BITS);
+        are_any |= is_one;
+    }
+    mesh.left_out = out;
+    if (are_any && burnish_ray_tree_update(&d->renderer->volumes, &mesh, &d->renderer->tasks,
+                                           &d->memory) == BURNISH_STATUS_OK) {
+        d->view.ray_light.volumes = &d->renderer->volumes;
+        d->view.ray_light.textured = materials;
+    }
+    burnish_release(d->renderer->context, out);
+    return d->memory.status;
+}
+
+/* The trees of what casts shadows, and of what refracts. */
+static burnish_status update_trees(burnish_call *d) {
     burnish_renderer *renderer = d->renderer;
-    const burnish_status status =
+    burnish_status status =
         burnish_casters_update(&renderer->casters, d->solid, &renderer->transparency, &d->memory);
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -156,7 +179,13 @@ static burnish_status update_tree(burnish_call *d) {
                              .scale = (float)burnish_space_scale(d->solid),
                              .most_work = 2 * d->options->max_overdraw};
     burnish_space_store(burnish_space_center(d->solid), mesh.center);
-    return burnish_ray_tree_update(&renderer->rays, &mesh, &renderer->tasks, &d->memory);
+    d->view.ray_light.volumes = NULL;
+    status = burnish_ray_tree_update(&renderer->rays, &mesh, &renderer->tasks, &d->memory);
+    const burnish_texturing *texturing = d->view.shading.texturing;
+    return status == BURNISH_STATUS_OK && d->view.ray_light.has_sky && texturing &&
+                   texturing->has_passing
+               ? update_volumes(d, mesh)
+               : status;
 }
 
 /* No direction's light is less than this share of the mean, as with depth maps. */
@@ -203,7 +232,8 @@ static void set_space(const burnish_call *d, burnish_ray_light *light) {
     light->solid = d->solid;
     light->shaders = d->view.shading.shaders;
     light->reflecting = d->view.shading.area ? d->view.shading.area->materials : NULL;
-    light->is_parallel = d->view.shading.rays.q_per_depth == 0;
+    light->pixels = &d->view.shading.rays;
+    light->is_parallel = light->pixels->q_per_depth == 0;
     light->has_colors = d->solid->colors && !d->mesh.ignore_colors;
     light->scale = (float)burnish_space_scale(d->solid);
     burnish_space_store(burnish_space_center(d->solid), light->center);
@@ -263,7 +293,7 @@ static burnish_status update_rays(burnish_call *d) {
     if (light->has_sky || light->key >= 0) {
         d->view.shading.ray_light = light;
     }
-    return update_tree(d);
+    return update_trees(d);
 }
 
 /* What ambient occlusion needs of the mesh. */

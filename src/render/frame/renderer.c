@@ -25,6 +25,7 @@ void burnish_renderer_destroy(burnish_renderer *renderer) {
         burnish_tiles_destroy(&renderer->tiles, context);
         burnish_occlusion_destroy(&renderer->occlusion, context);
         burnish_ray_tree_destroy(&renderer->rays, context);
+        burnish_ray_tree_destroy(&renderer->volumes, context);
         burnish_line_art_destroy(&renderer->line_art, context);
         burnish_ground_destroy(&renderer->ground, context);
         burnish_shadow_destroy(&renderer->shadow, context);

@@ -7,7 +7,7 @@
 #include "raster/raster_ops.h"
 #include "render/frame/carving.h"
 #include "render/frame/target.h"
-#include "render/light/casters.h"
+#include "render/light/maps/casters.h"
 #include "render/lines/lines.h"
 #include "render/lines/outline.h"
 #include "render/splats/splatting.h"
@@ -70,7 +70,7 @@ struct burnish_renderer {
     burnish_area area;
     burnish_tiles tiles;
     burnish_occlusion occlusion;
-    burnish_ray_tree rays;
+    burnish_ray_tree rays, volumes; /* of what is opaque, and what refracts */
     burnish_line_art line_art;
     burnish_outline outline;
     burnish_ground ground;

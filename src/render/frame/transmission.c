@@ -4,6 +4,45 @@
 
 #include <string.h>
 
+/* Adds to colours of fronts what paths through volumes see, and multiplies what passes by how much of
+ * what is straight behind they do.
+ *   seen  scratch for what is seen of the environment; NULL: there is none */
+static void trace_light(const burnish_shading *shading, const burnish_passing *passing,
+                        int material, int count, float *const *seen,
+                        burnish_fragment_scratch *scratch, float *const rgb[3]) {
+    const burnish_area *area = shading->area;
+    burnish_texture_scratch *textures = &scratch->texture;
+    burnish_refracted refracted;
+    const float *const to[3] = {refracted.to[0], refracted.to[1], refracted.to[2]};
+    float straight[3][BURNISH_SHADE_BATCH] = {{0}}, sums[3][BURNISH_SHADE_BATCH] = {{0}};
+    for (int path = 0; path < BURNISH_RAY_PATHS; ++path) {
+        burnish_ray_refract(scratch->rays, shading->ray_light, shading->ops, passing, (size_t)count,
+                            path, &refracted);
+        if (seen) {
+            shading->kernels->see_environment(&area->constants,
+                                              &area->materials[material].reflecting, to,
+                                              textures->roughness, (size_t)count, seen);
+        }
+        for (int i = 0; i < 3 * count; ++i) {
+            const int k = i % 3, at = i / 3;
+            const float share = refracted.has_met[at] ? 0 : seen ? refracted.straight[at] : 1;
+            const float arriving = refracted.has_met[at] ? refracted.light[k][at]
+                                   : seen                ? (1 - share) * seen[k][at]
+                                                         : 0;
+            sums[k][at] += refracted.left[k][at] * arriving;
+            straight[k][at] += refracted.left[k][at] * share;
+        }
+    }
+    for (int i = 0; i < 3 * count; ++i) {
+        const int k = i % 3, at = i / 3;
+        float *const passed = &textures->passed[k][at];
+        if (passing->facing[at] > 0) {
+            rgb[k][at] += *passed * (sums[k][at] / BURNISH_RAY_PATHS);
+            *passed *= straight[k][at] / BURNISH_RAY_PATHS;
+        }
+    }
+}
+
 void burnish_pass_light(const burnish_shading *shading, const burnish_kernels_points *points,
                         int material, int count, burnish_fragment_scratch *scratch,
                         float *const rgb[3]) {
@@ -17,6 +56,7 @@ void burnish_pass_light(const burnish_shading *shading, const burnish_kernels_po
                                .shader = &shading->texturing->white,
                                .points = *points,
                                .facing = is_group ? scratch->group.facing : scratch->facing};
+    passing.is_traced = shading->ray_light && shading->ray_light->volumes && from->refracts;
     const float *direction[3];
     float *seen[3];
     for (int k = 0; k < 3; ++k) {
@@ -25,18 +65,21 @@ void burnish_pass_light(const burnish_shading *shading, const burnish_kernels_po
         seen[k] = textures->specular[k];
     }
     shading->ops->pass_points(&passing, (size_t)count, textures);
-    if (!has_maps) {
-        return; /* nothing but what is straight behind */
+    if (has_maps) { /* else nothing but what is straight behind */
+        shading->kernels->see_environment(&area->constants, &area->materials[material].reflecting,
+                                          direction, textures->roughness, (size_t)count, seen);
     }
-    shading->kernels->see_environment(&area->constants, &area->materials[material].reflecting,
-                                      direction, textures->roughness, (size_t)count, seen);
     const float *share = textures->sample[3];
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3 && has_maps; ++k) {
         float *passed = textures->passed[k];
         for (int i = 0; i < count; ++i) {
-            rgb[k][i] += passed[i] * (1.0f - share[i]) * seen[k][i];
-            passed[i] *= share[i];
+            const float own = passing.is_traced && passing.facing[i] > 0 ? 1.0f : share[i];
+            rgb[k][i] += passed[i] * (1.0f - own) * seen[k][i];
+            passed[i] *= own;
         }
+    }
+    if (passing.is_traced) {
+        trace_light(shading, &passing, material, count, has_maps ? seen : NULL, scratch, rgb);
     }
 }
 

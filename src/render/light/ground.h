@@ -14,9 +14,9 @@
 #define BURNISH_RENDER_LIGHT_GROUND_H
 
 #include "core/tasks.h"
-#include "render/light/occlusion.h"
+#include "render/light/maps/occlusion.h"
+#include "render/light/maps/shadow.h"
 #include "render/light/ray_light.h"
-#include "render/light/shadow.h"
 #include "render/render_ops.h"
 
 enum {

@@ -2,8 +2,8 @@
 #ifndef BURNISH_RENDER_LIGHT_GROUND_SIMD_H
 #define BURNISH_RENDER_LIGHT_GROUND_SIMD_H
 
-#include "render/light/depth_map_simd.h"
 #include "render/light/ground.h"
+#include "render/light/maps/depth_map_simd.h"
 
 BURNISH_INLINE vf ground_row(const float row[3], vf x, vf y) {
     const vf sum = vf_add(vf_set(row[0]), vf_mul(vf_set(row[1]), x));

@@ -85,11 +85,10 @@ void burnish_ray_tile_add(burnish_ray_tile *tile, const burnish_ray_light *light
     store_lane(face, tile->face[0] + at, BURNISH_RAY_PIXELS);
 }
 
-/* Where ray i meets a triangle, from the eye, the normal there, if it is wanted, and the triangle's.
- * Returns the triangle's number. */
-static size_t find_met(const burnish_started_rays *rays, const burnish_ray_light *light, size_t i,
-                       float position[3], float *normal, float face[3]) {
-    const size_t number = light->tree->numbers[rays->place[i]];
+size_t burnish_ray_met(const burnish_started_rays *rays, const burnish_ray_tree *tree,
+                       const burnish_ray_light *light, size_t i, float position[3], float *normal,
+                       float face[3]) {
+    const size_t number = tree->numbers[rays->place[i]];
     burnish_vec3 corner[3], point = {rays->origin[0][i], rays->origin[1][i], rays->origin[2][i]};
     burnish_vec3 back = {-rays->direction[0][i], -rays->direction[1][i], -rays->direction[2][i]};
     point = burnish_vec3_sub(point, burnish_vec3_scale(back, (double)rays->distance[i]));
@@ -191,8 +190,9 @@ void burnish_ray_tile_add_margin(burnish_ray_tile *tile, const burnish_ray_light
         }
         for (size_t ray = 0; ray < batch.count; ++ray) {
             float p[3], n[3], face[3];
-            const size_t number =
-                rays->hits[ray] > 0 ? find_met(rays, light, ray, p, n, face) : SIZE_MAX;
+            const size_t number = rays->hits[ray] > 0
+                                      ? burnish_ray_met(rays, light->tree, light, ray, p, n, face)
+                                      : SIZE_MAX;
             if (number < light->solid->triangle_count) {
                 burnish_ray_tile_add(tile, light, at[ray], UINT16_MAX, p, n, 2 * (uint32_t)number);
             }
@@ -224,10 +224,8 @@ static void cast_rays(burnish_gathered_points *points, const burnish_ray_light *
 
 /* ---- Light that comes over other surfaces ---- */
 
-/* What the surface of a triangle of the mesh reflects. Pieces of masked ones are gray. Returns its
- * gloss: matt surfaces see all as matt, for few rays find what others mirror. */
-static float albedo_of(const burnish_ray_light *light, size_t triangle, int is_mirrored,
-                       float albedo[3]) {
+float burnish_ray_albedo(const burnish_ray_light *light, size_t triangle, int is_mirrored,
+                         float albedo[3]) {
     const burnish_mesh_view *mesh = light->solid;
     if (triangle >= mesh->triangle_count) {
         albedo[0] = albedo[1] = albedo[2] = 0.5f;
@@ -259,8 +257,9 @@ static void gather_met(const burnish_started_rays *rays, const burnish_ray_light
         }
         const size_t to = met->count++;
         const int is_smooth = points->values[BURNISH_RAY_GLOSS][i] >= 0;
-        const size_t number = find_met(rays, light, i, position, is_smooth ? normal : NULL, face);
-        const float gloss = albedo_of(light, number, is_smooth, albedo);
+        const size_t number =
+            burnish_ray_met(rays, light->tree, light, i, position, is_smooth ? normal : NULL, face);
+        const float gloss = burnish_ray_albedo(light, number, is_smooth, albedo);
         for (int k = 0; k < 3; ++k) {
             met->values[k][to] = position[k];
             met->values[3 + k][to] = is_smooth ? normal[k] : face[k];
@@ -340,6 +339,28 @@ static void cast_skies(burnish_ray_tile *tile, burnish_gathered_points *points,
     }
     for (int k = 0; k < 3; ++k) {
         memcpy(points->sums[k], sums[k], sizeof sums[k]);
+    }
+}
+
+void burnish_ray_shine(burnish_ray_tile *tile, const burnish_ray_light *light,
+                       const burnish_render_ops *ops, int pattern) {
+    const int first = pattern * BURNISH_RAY_SAMPLES;
+    burnish_gathered_points *points = &tile->points;
+    cast_skies(tile, points, light, ops, first, BURNISH_RAY_SAMPLES);
+    for (int lamp = -1; lamp < light->lamp_count; ++lamp) {
+        if (lamp >= 0) {
+            cast_rays(points, light, ops, lamp, first, BURNISH_RAY_SAMPLES);
+        }
+        for (size_t i = 0; i < points->count; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                points->light[k][i] += points->sums[1][i] - points->sums[2][i];
+            }
+        }
+    }
+    for (size_t i = 0; i < points->count; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            points->light[k][i] *= points->albedo[k][i] * (light->tint[k] / BURNISH_RAY_SAMPLES);
+        }
     }
 }
 

@@ -208,7 +208,7 @@ void burnish_ray_tile_look(const burnish_ray_tile *tile, const burnish_ray_light
         if (!points->shown || points->shown[i] >= 0) {
             weight = gather_sums(tile, light, pixel, p, n, BURNISH_RAY_ALIKE, sums);
         }
-        if (weight < FEW && (!points->shown || points->shown[i] >= 0)) {
+        if (weight < FEW && !points->are_layers && (!points->shown || points->shown[i] >= 0)) {
             weight += gather_sums(tile, light, pixel, p, n, -1, sums);
         }
         if (weight > 0) {

@@ -10,7 +10,7 @@
 #include "raster/tile.h"
 #include "rays/rays.h"
 #include "render/light/area.h"
-#include "render/light/occlusion_share.h"
+#include "render/light/maps/occlusion_share.h"
 #include "render/render_ops.h"
 #include "shading/shader.h"
 
@@ -36,15 +36,18 @@ typedef struct burnish_ray_lamp {
 
 /* A frame's. */
 typedef struct burnish_ray_light {
-    const burnish_ray_tree *tree;
+    const burnish_ray_tree *tree;    /* of what is opaque */
+    const burnish_ray_tree *volumes; /* that refract; NULL: none */
     const burnish_ray_ops *ops;
-    const burnish_mesh_view *mesh;           /* that is drawn, with the ids of the raster */
-    const burnish_mesh_view *solid;          /* of whose triangles the tree's are the first */
-    const burnish_kernels_shader *shaders;   /* one per material */
-    const burnish_area_material *reflecting; /* the same; NULL: nothing is mirrored */
-    int is_parallel;                         /* 1: all rays from the camera come from the viewer */
-    float viewer[3];                         /* toward it */
-    int has_colors;                          /* 1: vertices have some */
+    const burnish_mesh_view *mesh;             /* that is drawn, with the ids of the raster */
+    const burnish_mesh_view *solid;            /* of whose triangles the tree's are the first */
+    const burnish_kernels_shader *shaders;     /* one per material */
+    const burnish_area_material *reflecting;   /* the same; NULL: nothing is mirrored */
+    const burnish_textured_material *textured; /* the same; read where there are volumes */
+    const burnish_rays *pixels;                /* from the camera */
+    int is_parallel;        /* 1: all rays from the camera come from the viewer */
+    float viewer[3];        /* toward it */
+    int has_colors;         /* 1: vertices have some */
     float center[3], scale; /* (position - center) scale is in the raster's space */
     float eye[3];           /* the camera, in the raster's space */
     float offset;           /* off a surface's triangle */
@@ -170,10 +173,46 @@ void burnish_ray_tile_cast(burnish_ray_tile *tile, const burnish_ray_light *ligh
                            const burnish_render_ops *ops);
 
 /* Writes what points see to scratch->open, and of the lamp that is kept apart to lit. Points that no
- * pixel around stands for get what all of these found. */
+ * pixel around stands for get what all of these found, those of layers see all. */
 void burnish_ray_tile_look(const burnish_ray_tile *tile, const burnish_ray_light *light,
                            const burnish_render_ops *ops, const burnish_share_points *points,
                            int count, burnish_share_scratch *scratch, float *lit);
+
+/* Where ray i met a triangle of a tree: from the eye, the normal there, unless it is NULL, and the
+ * triangle's, both toward the ray's start. Returns the triangle's number. */
+size_t burnish_ray_met(const burnish_started_rays *rays, const burnish_ray_tree *tree,
+                       const burnish_ray_light *light, size_t i, float position[3], float *normal,
+                       float face[3]);
+
+/* What the surface of a triangle of the mesh reflects. Pieces of masked ones are gray. Returns its
+ * gloss: matt surfaces see all as matt, for few rays find what others mirror. */
+float burnish_ray_albedo(const burnish_ray_light *light, size_t triangle, int is_mirrored,
+                         float albedo[3]);
+
+/* Writes to the tile's points' light what these matt points send, by rays of pattern `pattern` to the sky
+ * and to each lamp. */
+void burnish_ray_shine(burnish_ray_tile *tile, const burnish_ray_light *light,
+                       const burnish_render_ops *ops, int pattern);
+
+/* ---- Refraction (refraction.c) ---- */
+
+/* Paths through volumes of a pixel, from its quarters. */
+enum { BURNISH_RAY_PATHS = 4 };
+
+/* What is seen along one path from each point of a volume. */
+typedef struct burnish_refracted {
+    uint8_t has_met[BURNISH_OCCLUDED_MAX]; /* 1: the path ends on an opaque surface */
+    float light[3][BURNISH_OCCLUDED_MAX];  /* of that */
+    float to[3][BURNISH_OCCLUDED_MAX];     /* otherwise: where it goes, a unit vector */
+    float straight[BURNISH_OCCLUDED_MAX];  /* share of what is straight behind */
+    float left[3][BURNISH_OCCLUDED_MAX];   /* by what is absorbed on the way */
+} burnish_refracted;
+
+/* Follows path `number` of points through all volumes, over 8 surfaces. Those that are seen from inside
+ * have none. */
+void burnish_ray_refract(burnish_ray_tile *tile, const burnish_ray_light *light,
+                         const burnish_render_ops *ops, const burnish_passing *points, size_t count,
+                         int number, burnish_refracted *refracted);
 
 /* Sets directions and places. */
 void burnish_ray_light_prepare(burnish_ray_light *light);

@@ -3,7 +3,7 @@
 #define BURNISH_RENDER_LIGHT_RAY_LIGHT_SIMD_H
 
 #include "rays/ray_axes_simd.h"
-#include "render/light/depth_map_simd.h"
+#include "render/light/maps/depth_map_simd.h"
 #include "render/light/ray_light.h"
 
 /* Longer than the mesh is wide, from anywhere near it. */

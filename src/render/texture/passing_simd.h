@@ -42,7 +42,7 @@ static void pass_points(const burnish_passing *passing, size_t count,
     const int has_thickness = passing->material->samplers[BURNISH_TEXTURE_THICKNESS].levels != NULL;
     const int has_edge = passing->material->has_edge;
     const float index = material->refractive_index >= 1 ? material->refractive_index : 1.5f;
-    const float distance = material->attenuation_distance;
+    const float distance = passing->is_traced ? 0 : material->attenuation_distance;
     for (size_t i = 0; i < count; i += LANES) {
         vf normal[3], viewer[3], to[3];
         texture_vectors(passing->shader, &passing->points, i, normal, viewer);

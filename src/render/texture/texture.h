@@ -87,6 +87,7 @@ typedef struct burnish_textured_material {
     int is_bent;      /* 1: points have bent normals, for which they need tangents */
     int has_edge;     /* 1: points have an edge loss */
     int passes;       /* 1: light passes through it, and its triangles are transparent */
+    int refracts;     /* 1: it is a smooth volume, through which rays are followed */
     float mask_alpha; /* MASK: the alpha from which on something is there */
     burnish_texture_sampler samplers[BURNISH_TEXTURE_SLOT_COUNT];
 } burnish_textured_material;
@@ -200,6 +201,7 @@ typedef struct burnish_passing {
     const burnish_kernels_shader *shader; /* has the viewer */
     burnish_kernels_points points;        /* position and w are read if the viewer is near */
     const float *facing;                  /* above 0: the front is seen */
+    int is_traced;                        /* 1: rays find what a volume absorbs */
 } burnish_passing;
 
 /* Points of one special material that are shaded together. */

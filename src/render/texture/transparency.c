@@ -47,7 +47,7 @@ typedef struct burnish_opacity_rule {
     float transform[2][6];
     int wrap[2][2];
     float level_cutoff, cutoff, transparency; /* MASK */
-    int is_transparent, is_masked;
+    int is_transparent, is_masked, refracts;
 } burnish_opacity_rule;
 
 static void fill_rule(const burnish_transparency *transparency, size_t i,
@@ -56,6 +56,7 @@ static void fill_rule(const burnish_transparency *transparency, size_t i,
     const burnish_texturing *texturing = transparency->texturing;
     const burnish_textured_material *material = texturing ? &texturing->materials[i] : NULL;
     memset(rule, 0, sizeof *rule);
+    rule->refracts = material && material->refracts;
     rule->is_transparent = is_transparent_material(transparency, i);
     if (!rule->is_transparent || !material || material->passes ||
         material->material.alpha_mode != BURNISH_ALPHA_MASK) {

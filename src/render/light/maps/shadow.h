@@ -2,7 +2,7 @@
 #ifndef BURNISH_RENDER_LIGHT_SHADOW_H
 #define BURNISH_RENDER_LIGHT_SHADOW_H
 
-#include "render/light/depth_map.h"
+#include "render/light/maps/depth_map.h"
 
 enum { BURNISH_SHADOW_SMALL = 1024, BURNISH_SHADOW_LARGE = 2048 }; /* texels along an edge */
 

@@ -1,4 +1,4 @@
-#include "render/light/occlusion_share.h"
+#include "render/light/maps/occlusion_share.h"
 
 /* Least cosine between normals that share: 10 degrees. */
 #define ALIKE 0.985f

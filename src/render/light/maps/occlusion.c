@@ -1,5 +1,5 @@
 /* The depth maps of ambient occlusion: their directions, and when they are drawn. */
-#include "render/light/occlusion.h"
+#include "render/light/maps/occlusion.h"
 
 #include <string.h>
 

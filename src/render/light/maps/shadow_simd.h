@@ -2,8 +2,8 @@
 #ifndef BURNISH_RENDER_LIGHT_SHADOW_SIMD_H
 #define BURNISH_RENDER_LIGHT_SHADOW_SIMD_H
 
-#include "render/light/depth_map_simd.h"
-#include "render/light/shadow.h"
+#include "render/light/maps/depth_map_simd.h"
+#include "render/light/maps/shadow.h"
 
 /* A disc of taps, in radii of the filter: sqrt((i + 1/2) / 12) at i golden angles. */
 enum { SHADOW_TAPS = 12 };

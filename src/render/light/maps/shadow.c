@@ -1,4 +1,4 @@
-#include "render/light/shadow.h"
+#include "render/light/maps/shadow.h"
 
 #include <string.h>
 

@@ -2,7 +2,7 @@
 #ifndef BURNISH_RENDER_LIGHT_DEPTH_MAP_SIMD_H
 #define BURNISH_RENDER_LIGHT_DEPTH_MAP_SIMD_H
 
-#include "render/light/depth_map.h"
+#include "render/light/maps/depth_map.h"
 #include "simd/vector_math.h"
 
 /* Points in a map: texel coordinates, depth, and how the depth of their surface's plane changes

@@ -6,8 +6,8 @@
 
 #include "burnish/mesh.h"
 #include "burnish/render.h"
-#include "render/light/depth_map.h"
-#include "render/light/vertex_clusters.h"
+#include "render/light/maps/depth_map.h"
+#include "render/light/maps/vertex_clusters.h"
 
 enum { BURNISH_OCCLUDED_MAX = 256 /* points that are looked up at once */ };
 

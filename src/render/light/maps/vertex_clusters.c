@@ -1,4 +1,4 @@
-#include "render/light/vertex_clusters.h"
+#include "render/light/maps/vertex_clusters.h"
 
 #include <string.h>
 

@@ -2,8 +2,8 @@
 #ifndef BURNISH_RENDER_LIGHT_OCCLUSION_SIMD_H
 #define BURNISH_RENDER_LIGHT_OCCLUSION_SIMD_H
 
-#include "render/light/depth_map_simd.h"
-#include "render/light/occlusion.h"
+#include "render/light/maps/depth_map_simd.h"
+#include "render/light/maps/occlusion.h"
 
 /* Hidden shares are means of taps at these offsets, in radii: two rotated squares, because an edge
  * along a map's axis would meet two taps of an upright one at once. A single square shows as

@@ -1,4 +1,4 @@
-#include "render/light/casters.h"
+#include "render/light/maps/casters.h"
 
 #include <string.h>
 

@@ -5,7 +5,7 @@
 #define BURNISH_RENDER_LIGHT_OCCLUSION_SHARE_H
 
 #include "raster/tile_layout.h"
-#include "render/light/occlusion.h"
+#include "render/light/maps/occlusion.h"
 #include "render/render_ops.h"
 
 enum {
@@ -21,6 +21,7 @@ typedef struct burnish_share_points {
     const uint16_t *pixels; /* index in the tile; NULL: first_pixel + i */
     int first_pixel;
     const int32_t *shown; /* points below 0 are not looked up; NULL: all are */
+    int are_layers;       /* 1: other surfaces are behind these; by rays */
 } burnish_share_points;
 
 /* A thread's arrays. All zero before the first use. */

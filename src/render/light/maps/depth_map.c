@@ -1,4 +1,4 @@
-#include "render/light/depth_map.h"
+#include "render/light/maps/depth_map.h"
 
 #include <stdatomic.h>
 #include <string.h>
