@@ -322,7 +322,7 @@ static void test_strays(void) {
     const burnish_mesh_view *view = burnish_mesh_get_view(sphere);
     const size_t vertices = view->vertex_count, triangles = view->triangle_count;
     float *positions = calloc(vertices + 6, 3 * sizeof *positions);
-    uint32_t *indices = calloc(triangles + 2, 3 * sizeof *indices);
+    uint32_t *indices = calloc(triangles + 4, 3 * sizeof *indices);
     burnish_render_options options = burnish_render_options_default();
     const burnish_framing framing = burnish_framing_default();
     options.width = options.height = 64;
@@ -357,6 +357,24 @@ static void test_strays(void) {
         CHECK(strays == 0 || cases[i - 1].is_connected || hash == expected, "case %zu", i);
         const int is_drawn = i > 0 && fabs((double)cases[i - 1].distance) <= 1000;
         CHECK(i == 0 || (high[0] > 3 || low[0] < -3) == is_drawn, "case %zu: bounds", i);
+    }
+    /* a square is the ground, unless it is not flat or not much larger; once the sphere ends it */
+    static const float grounds[][4] = {
+        {100, 0, 0, 1}, {100, 0, 1, 1}, {100, 1, 0, 0}, {4, 0, 0, 0}};
+    for (size_t i = 0; i < sizeof grounds / sizeof *grounds; ++i) {
+        const float s = grounds[i][0];
+        const uint32_t first = (uint32_t)vertices;
+        for (uint32_t k = 0; k < 4; ++k) {
+            const float p[3] = {k % 2 ? s : -s, k ? -1 : grounds[i][1] - 1, k / 2 ? s : -s};
+            const uint32_t corners[3] = {first + k, first + (k ^ 1),
+                                         grounds[i][2] > 0 ? 7 : first + (k ^ 2)};
+            memcpy(positions + 3 * (vertices + k), p, sizeof p);
+            memcpy(indices + 3 * (triangles + k), corners, sizeof corners);
+        }
+        const burnish_mesh_description arrays =
+            describe_arrays(positions, NULL, NULL, vertices + 4, indices, triangles + 4);
+        OWNED_MESH *mesh = create_mesh(&arrays, NULL);
+        CHECK(burnish_mesh_get_warning_count(mesh) == (size_t)grounds[i][3], "ground %zu", i);
     }
     free(positions);
     free(indices);

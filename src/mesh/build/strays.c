@@ -12,6 +12,7 @@ enum {
     CORE = 8,       /* bins that the rest takes, at most */
     SAMPLES = 1024, /* vertices that rule out strays for nearly all meshes */
     TIMES = 8,      /* groups of strays, at most */
+    GROUND = 12,    /* triangles of a plane around the rest, at most */
     FEW = 12,       /* vertices that may be strays, or ... */
     SHARE = 100     /* ... one of so many */
 };
@@ -57,8 +58,7 @@ static int cut_axis(const burnish_mesh *mesh, int axis, size_t step, burnish_box
         }
     }
     const size_t others = find_core(bins, &first, &end);
-    if (others == 0 || 2 * others >= count || end - first > CORE ||
-        (others > FEW && others > count / SHARE)) {
+    if (2 * others >= count || end - first > CORE || (others > FEW && others > count / SHARE)) {
         return 0;
     }
     rest->low[axis] = first > 0 ? (float)(low + side * (first - 0.5) / BINS) : rest->low[axis];
@@ -95,29 +95,48 @@ static int corners_inside(const burnish_mesh *mesh, const burnish_box *rest, siz
     return inside;
 }
 
-/* The number of triangles outside the rest; 0 if they are no strays: too large, too many, or connected
- * to it.
+/* Whether the box is a plane that extends beyond the rest on four sides, as the ground of a town. It
+ * may be connected to the rest. */
+static int is_ground(const burnish_box *box, const burnish_box *rest) {
+    int flat = 0, wide = 0;
+    for (int k = 0; k < 3; ++k) {
+        flat += box->low[k] == box->high[k] && rest->low[k] < rest->high[k];
+        wide += box->low[k] < rest->low[k] && box->high[k] > rest->high[k];
+    }
+    return flat == 1 && wide == 2;
+}
+
+/* The number of triangles outside the rest; 0 if they are no strays: too large and no ground, too
+ * many, or connected to it.
  *   times  how much larger the box is with them */
 static size_t count_strays(const burnish_mesh *mesh, const burnish_box *rest, double times) {
     const int may_touch = times > DRAWN;
     const double share = AREA * times < MOST_AREA ? AREA * times : MOST_AREA;
     const float *positions = mesh->attributes[BURNISH_POSITION];
+    burnish_box outside = burnish_box_none();
     double areas[2] = {0, 0};
-    size_t count = 0;
+    size_t count = 0, connected = 0;
     for (size_t i = mesh->view.triangle_count; i-- > 0;) {
         const uint32_t *corners = mesh->indices + 3 * i;
         const int inside = corners_inside(mesh, rest, i);
         count += inside < 3;
+        for (int k = 0; k < 3 && inside < 3; ++k) {
+            if (!burnish_box_holds(rest, positions + 3 * (size_t)corners[k])) {
+                burnish_box_extend(&outside, positions + 3 * (size_t)corners[k]);
+            }
+        }
         if (inside == 0 || inside == 3) {
             areas[inside / 3] +=
                 area_of(positions + 3 * (size_t)corners[0], positions + 3 * (size_t)corners[1],
                         positions + 3 * (size_t)corners[2]);
-        } else if (!may_touch) {
+        } else if (!may_touch && ++connected > GROUND) {
             return 0;
         }
     }
     const int are_few = count <= mesh->view.triangle_count / 4 * 3;
-    return are_few && (areas[0] <= share * areas[1] || may_touch) ? count : 0;
+    const int are_strays = (areas[0] <= share * areas[1] && connected == 0) || may_touch ||
+                           (count <= GROUND && is_ground(&outside, rest));
+    return are_few && are_strays ? count : 0;
 }
 
 /* Leaves out triangles outside the rest; their vertices, now unused, move into it. */

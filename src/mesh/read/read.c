@@ -85,7 +85,9 @@ burnish_format burnish_guess_format(const uint8_t *bytes, size_t size, const cha
     }
     /* many texts begin with a brace, or are lines of numbers */
     const int is_weak = most == 1 && (guess == BURNISH_FORMAT_GLTF || guess == BURNISH_FORMAT_XYZ);
-    return most > 0 && !(is_weak && named != BURNISH_FORMAT_AUTO) ? guess : named;
+    const int is_other =
+        is_weak && (named != BURNISH_FORMAT_AUTO || burnish_describe_foreign(bytes, size, NULL));
+    return most > 0 && !is_other ? guess : named;
 }
 
 /* A binary STL is recognised by its size, which is unknown for a stream. Here it is recognised by

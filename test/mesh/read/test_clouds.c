@@ -251,6 +251,11 @@ static void test_xyz(void) {
         atoms, strlen(atoms), "a.xyz", NULL, BURNISH_STATUS_FORMAT,
         "a.xyz:1: no line begins with three numbers, x, y and z; if it is a list of atoms, "
         "convert it with a program of chemistry");
+    static const char scene[] = "#VRML V2.0 utf8\npoint [\n1 2 3,\n4 5 6,\n7 8 10\n";
+    check_refused(
+        scene, strlen(scene), "a.wrl", NULL, BURNISH_STATUS_FORMAT,
+        "a.wrl: a VRML file, which burnish can't read; convert it to one of gltf, obj, off, "
+        "ply, stl, 3mf, gcode, splat, spz, bms, scene, urdf, pcd, las, xyz");
     static const char blocks[] = "1\n1 2 3 4\n1\n5 6 7 9\n1 2"; /* two scans, the second cut off */
     OWNED_MESH *mesh = load_bytes(blocks, strlen(blocks), "a.pts", NULL);
     CHECK1(mesh && burnish_mesh_get_info(mesh)->point_count == 2);

@@ -188,6 +188,18 @@ static void test_obj_forward(void) {
            got.streams[BURNISH_NORMAL].corners[0] == BURNISH_NONE);
 }
 
+/* Colours of ZBrush, for all vertices or else none, and old faces. */
+static void test_obj_paint(void) {
+    static const uint8_t expected[] = {16, 32, 48, 255, 171, 205, 239, 255, 0, 0, 255, 255};
+    static const char text[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\n#MRGB ff102030FFabCDEF\n# note\n"
+                               "#MRGB 000000ff\nfo 1 2 3\n";
+    read_good_text(BURNISH_FORMAT_OBJ, text);
+    CHECK1(burnish_colors(&got) && memcmp(burnish_colors(&got), expected, sizeof expected) == 0);
+    check_warnings(0);
+    read_good_text(BURNISH_FORMAT_OBJ, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n#MRGB ffff0000ff\n");
+    CHECK1(!burnish_colors(&got));
+}
+
 static void test_obj_colors(void) {
     static const uint8_t expected[] = {255, 255, 255, 255, 255, 128, 0,   255,
                                        0,   255, 51,  255, 255, 255, 255, 255};
@@ -498,7 +510,7 @@ static void test_ply_alpha(void) {
 static void test_undrawn(void) {
     static const char library[] =
         "newmtl a\nmap_Kd -s 1 1 1 mars.png\nmap_Ks other.png\nd 0.5\nnewmtl b\nbump moon b.png\n"
-        "Tr 0\nnewmtl c\nmap_Kd mars.png\nTr 0.1\nnewmtl unused\nmap_Kd x.png\n";
+        "Tr 0\nnewmtl c\nmap_Kd -colorspace sRGB mars.png\nTr 0.1\nnewmtl unused\nmap_Kd x.png\n";
     read_good_with("mtllib my parts/a b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"
                    "usemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n",
                    library);
@@ -538,6 +550,7 @@ int main(int count, char **arguments) {
     RUN(test_obj_forward());
     RUN(test_obj_other_statements());
     RUN(test_obj_colors());
+    RUN(test_obj_paint());
     RUN(test_obj_polygons());
     RUN(test_mtl());
     RUN(test_obj_materials());

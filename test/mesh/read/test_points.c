@@ -26,6 +26,12 @@ static void test_sizes(void) {
                memcmp(view->colors, colors, sizeof colors) == 0);
         CHECK1(view->bounds_min[0] == -4.25f && view->bounds_max[2] == 6.25f);
     }
+    static const char apart[] = "v 0 0 0\nv 0 0 1\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 1 1 1\nv 1 0 1\n"
+                                "v 7000 0 0\nv 7000 0 1\nv 7000 1 0\nv 7001 0 0\nv 7001 1 0\n"
+                                "v 7001 1 1\nv 7001 0 1\n"; /* would be specks */
+    OWNED_MESH *clusters = load("b.obj", apart, NULL);
+    const double radius = clusters ? (double)burnish_mesh_get_view(clusters)->point_radius : 0;
+    CHECK(radius > 139 && radius < 141, "%g", radius);
 }
 
 enum { SIDE = 64 };

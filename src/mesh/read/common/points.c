@@ -30,14 +30,18 @@ static int can_close(const burnish_cloud *cloud) {
     return CLOSING * cloud->wide <= LARGEST * burnish_cloud_diagonal(&cloud->inner);
 }
 
+/* Discs of points that are close together, in clusters far apart, would vanish: all of the cloud
+ * cover at least about 2 % of its square. */
 static double choose_radius(const burnish_cloud *cloud, int are_surface) {
     const double diagonal = burnish_cloud_diagonal(&cloud->inner);
     const double radius = are_surface ? CLOSING * cloud->wide : cloud->spacing / 4;
     const double most = are_surface ? diagonal * LARGEST : diagonal / 50;
-    return !(diagonal > 0)            ? 0.5
-           : radius > most            ? most
-           : radius < diagonal / 4000 ? diagonal / 4000
-                                      : radius;
+    const double root = __builtin_sqrt((double)cloud->count), least = diagonal / 4000;
+    const double even = root * least > diagonal / 12 ? least : diagonal / 12 / root;
+    return !(diagonal > 0)                ? 0.5
+           : radius > most || even > most ? most
+           : radius < even                ? even
+                                          : radius;
 }
 
 /* Makes the file's normals unit vectors; those of no direction 0, 0, 0. */

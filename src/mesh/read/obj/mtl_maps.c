@@ -28,9 +28,9 @@ static const struct {
     const char *word;
     int least, most;
 } options[] = {
-    {"-s", 1, 3},      {"-o", 1, 3},       {"-bm", 1, 1},   {"-clamp", 1, 1}, {"-t", 1, 3},
-    {"-blendu", 1, 1}, {"-blendv", 1, 1},  {"-mm", 2, 2},   {"-boost", 1, 1}, {"-cc", 1, 1},
-    {"-texres", 1, 1}, {"-imfchan", 1, 1}, {"-type", 1, 1},
+    {"-s", 1, 3},      {"-o", 1, 3},       {"-bm", 1, 1},   {"-clamp", 1, 1},      {"-t", 1, 3},
+    {"-blendu", 1, 1}, {"-blendv", 1, 1},  {"-mm", 2, 2},   {"-boost", 1, 1},      {"-cc", 1, 1},
+    {"-texres", 1, 1}, {"-imfchan", 0, 0}, {"-type", 0, 0}, {"-colorspace", 0, 0},
 };
 enum { SCALE, OFFSET, BUMP, CLAMP, READ /* ... and the others ignored */ };
 
@@ -118,11 +118,11 @@ void burnish_mtl_read_map(burnish_reader *reader, burnish_mtl_entry *entry, burn
         if (i == sizeof options / sizeof *options) {
             break; /* a name may begin so */
         }
-        if (i >= READ) {
+        if (i >= READ && strcmp(options[i].word, "-colorspace") != 0) {
             burnish_reader_note(reader, unsupported, token.bytes, "%s: %s is not drawn",
                                 burnish_token_quote(keyword).text, options[i].word);
         }
-        if (strcmp(options[i].word, "-imfchan") == 0 || strcmp(options[i].word, "-type") == 0) {
+        if (options[i].most == 0) { /* a word follows */
             has_token = burnish_lexer_token(&words, &token) && burnish_lexer_token(&words, &token);
             continue;
         }

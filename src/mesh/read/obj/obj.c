@@ -3,7 +3,10 @@
  *
  * Lines, points, curves, surfaces and statements of other programs are ignored with a warning each;
  * s and other statements that draw nothing are ignored silently. Vertex colours follow the
- * coordinates (v x y z r g b). */
+ * coordinates (v x y z r g b), or are in comments of ZBrush (#MRGB, a mask, red, green and blue in
+ * eight hexadecimal digits each). */
+#include <stdlib.h>
+
 #include "mesh/read/common/damage.h"
 #include "mesh/read/common/parts.h"
 #include "mesh/read/common/points.h"
@@ -21,6 +24,8 @@ typedef struct obj_state {
     int has_line_runs;                 /* the runs count lines: no face has been seen */
     burnish_segment *segments;         /* of lines, while no face has been seen */
     size_t segment_count, segment_capacity;
+    uint8_t *paint; /* of #MRGB: 4 bytes a vertex */
+    size_t paint_count, paint_capacity;
     burnish_warning_group elements, few_corners, colors, normals, free_form, unknown;
     size_t highest[BURNISH_ATTRIBUTE_COUNT]; /* index + 1 that a face refers to; SIZE_MAX: to one
                                                 before the first */
@@ -80,6 +85,28 @@ static burnish_status read_line(obj_state *obj, burnish_lexer *lexer, size_t bef
             obj->segments[obj->segment_count++] = (burnish_segment){last, number};
         }
         last = number;
+    }
+    return BURNISH_STATUS_OK;
+}
+
+/* #MRGB: from `at` on, up to what is no digit. */
+static burnish_status read_paint(obj_state *obj, const uint8_t *at, const uint8_t *end) {
+    enum { DIGITS = 8 };
+    for (; end - at >= DIGITS; at += DIGITS) {
+        char digits[DIGITS + 1] = {0};
+        memcpy(digits, at, DIGITS);
+        if (strspn(digits, "0123456789abcdefABCDEF") < DIGITS) {
+            break;
+        }
+        const unsigned long value = strtoul(digits, NULL, 16);
+        obj->paint = burnish_reserve(&obj->reader->mesh->memory, obj->paint, &obj->paint_capacity,
+                                     obj->paint_count + 1, 4, "colours");
+        if (!obj->paint) {
+            return BURNISH_STATUS_MEMORY;
+        }
+        const uint8_t rgba[4] = {(uint8_t)(value >> 16), (uint8_t)(value >> 8), (uint8_t)value,
+                                 255};
+        memcpy(obj->paint + 4 * obj->paint_count++, rgba, sizeof rgba);
     }
     return BURNISH_STATUS_OK;
 }
@@ -162,6 +189,10 @@ static burnish_status obj_accept(void *state, const burnish_chunk *chunk) {
                                 "a normal is not 3 numbers; it was generated");
             continue;
         }
+        if (event->kind == BURNISH_OBJ_PAINT) {
+            status = read_paint(obj, event->at, chunk->text_end);
+            continue;
+        }
         if (event->kind == BURNISH_OBJ_OTHER || event->kind == BURNISH_OBJ_FREE_FORM) {
             note_other(obj, event, &lexer);
             continue;
@@ -210,8 +241,15 @@ static void settle_corners(obj_state *obj, burnish_attribute attribute, const ch
 
 /* Rescales colours that count to 255, if one is too bright to count to 1. */
 static void settle_colors(obj_state *obj) {
-    const burnish_stream *colors = &obj->reader->mesh->streams[BURNISH_COLOR];
-    uint8_t *rgba = burnish_colors(obj->reader->mesh);
+    burnish_mesh_data *mesh = obj->reader->mesh;
+    burnish_stream *colors = &mesh->streams[BURNISH_COLOR];
+    const size_t painted = obj->paint_count;
+    if (painted > 0 && painted == mesh->streams[BURNISH_POSITION].count && colors->count == 0 &&
+        burnish_mesh_data_reserve(mesh, BURNISH_COLOR, painted) == BURNISH_STATUS_OK) {
+        memcpy(colors->items, obj->paint, 4 * painted);
+        colors->count = painted;
+    }
+    uint8_t *rgba = burnish_colors(mesh);
     int count_to_255 = 0;
     for (size_t i = 0; i < colors->count && !count_to_255; ++i) {
         count_to_255 = rgba[4 * i + 3] == BURNISH_OBJ_COUNTS_TO_255;
@@ -283,7 +321,8 @@ static burnish_status obj_finish(obj_state *obj) {
     settle_corners(obj, BURNISH_NORMAL, "normals");
     settle_corners(obj, BURNISH_TEXCOORD, "texture coordinates");
     settle_colors(obj);
-    burnish_status status = burnish_cut_polygons(obj->reader);
+    burnish_status status = mesh->memory.status;
+    status = status == BURNISH_STATUS_OK ? burnish_cut_polygons(obj->reader) : status;
     if (status == BURNISH_STATUS_OK) {
         status = finish_parts(obj);
     }
@@ -337,6 +376,7 @@ static burnish_status obj_read(burnish_reader *reader) {
     burnish_parts_release(&obj.objects);
     burnish_parts_release(&obj.groups);
     burnish_release(memory->context, obj.segments);
+    burnish_release(memory->context, obj.paint);
     return status;
 }
 

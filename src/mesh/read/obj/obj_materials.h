@@ -62,6 +62,7 @@ enum {
     BURNISH_OBJ_COLOR,  /* an invalid colour follows a vertex */
     BURNISH_OBJ_NORMAL, /* an invalid normal follows vn */
     BURNISH_OBJ_FREE_FORM,
+    BURNISH_OBJ_PAINT, /* located after #MRGB */
     BURNISH_OBJ_OTHER
 };
 

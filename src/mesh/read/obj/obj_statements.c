@@ -456,7 +456,13 @@ static uint8_t take_capitals(obj_parser *obj, burnish_token keyword) {
 }
 
 static void read_statement(obj_parser *obj) {
+    static const char paint[] = "#MRGB ";
+    const size_t size = sizeof paint - 1;
     burnish_token keyword;
+    if ((size_t)(obj->lexer.end - obj->lexer.next) > size &&
+        memcmp(obj->lexer.next, paint, size) == 0) {
+        burnish_chunk_note(obj->chunk, BURNISH_OBJ_PAINT, obj->lexer.next + size);
+    }
     if (!burnish_lexer_token(&obj->lexer, &keyword)) {
         return;
     }
@@ -484,6 +490,8 @@ static void read_statement(obj_parser *obj) {
         } else if (second == 't' && obj->with_texcoords) {
             read_texcoord(obj);
         }
+    } else if (burnish_token_is(keyword, "fo")) { /* a face of old files, without an outline */
+        read_face(obj, keyword.bytes);
     } else if (burnish_token_is(keyword, "usemtl")) {
         burnish_chunk_note(obj->chunk, BURNISH_OBJ_MATERIAL, obj->lexer.next);
     } else if (burnish_token_is(keyword, "mtllib")) {
