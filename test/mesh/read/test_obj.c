@@ -188,11 +188,11 @@ static void test_obj_forward(void) {
            got.streams[BURNISH_NORMAL].corners[0] == BURNISH_NONE);
 }
 
-/* Colours of ZBrush, for all vertices or else none, and old faces. */
+/* Colours of ZBrush, for all vertices or else none. */
 static void test_obj_paint(void) {
     static const uint8_t expected[] = {16, 32, 48, 255, 171, 205, 239, 255, 0, 0, 255, 255};
     static const char text[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\n#MRGB ff102030FFabCDEF\n# note\n"
-                               "#MRGB 000000ff\nfo 1 2 3\n";
+                               "#MRGB 000000ff\nf 1 2 3\n";
     read_good_text(BURNISH_FORMAT_OBJ, text);
     CHECK1(burnish_colors(&got) && memcmp(burnish_colors(&got), expected, sizeof expected) == 0);
     check_warnings(0);

@@ -481,7 +481,7 @@ static void read_statement(obj_parser *obj) {
         } else if (first != 's') {
             burnish_chunk_note(obj->chunk, BURNISH_OBJ_OTHER, keyword.bytes);
         }
-    } else if (burnish_token_is(keyword, "fo")) {
+    } else if (burnish_token_is(keyword, "fo")) { /* a face of old files, without an outline */
         burnish_chunk_note_odd(obj->chunk, keyword);
         read_face(obj, keyword.bytes);
     } else if (keyword.size == 2 && first == 'v') {
@@ -490,8 +490,6 @@ static void read_statement(obj_parser *obj) {
         } else if (second == 't' && obj->with_texcoords) {
             read_texcoord(obj);
         }
-    } else if (burnish_token_is(keyword, "fo")) { /* a face of old files, without an outline */
-        read_face(obj, keyword.bytes);
     } else if (burnish_token_is(keyword, "usemtl")) {
         burnish_chunk_note(obj->chunk, BURNISH_OBJ_MATERIAL, obj->lexer.next);
     } else if (burnish_token_is(keyword, "mtllib")) {
