@@ -1,5 +1,11 @@
-// The shaders for Metal or OSL against burnish/lobe.h and theory.h. Usage: stand_in LOBES_CSV AREA_CSV
+// The shaders against burnish/lobe.h and theory.h. Usage: stand_in LOBES_CSV AREA_CSV
 #include "stand_in.h"
+
+#ifdef GLSL
+#include "half.h"
+// after it, which has float16_t
+#include "half.glsl"
+#endif
 
 // The number of a lobe in values.glsl, from its order; -1: unknown.
 static int number_of(int order) {
@@ -219,6 +225,29 @@ static void check_albedo() {
     }
 }
 
+#ifdef GLSL
+// Every input of each lobe in half precision, NaN and infinity included.
+static void check_half() {
+    float16_t (*const lobes[])(float16_t, float16_t) = {burnishLobe2, burnishLobe4, burnishLobe8, burnishLobe16, burnishLobe32};
+    static const double most[] = {0.0008, 0.0013, 0.0023, 0.0045, 0.008};
+    for (int number = 0; number < 5; ++number) {
+        const int order = 2 << number;
+        double error = 0;
+        for (double n = order; n <= 65536; n *= 2) {
+            const double zeta = solve(BURNISH_FIT_ENERGY, order, n, 0);
+            for (int bits = 0; bits < 65536; ++bits) {
+                const float16_t c = half_of_bits(bits);
+                const double value = (double)lobes[number](c, float16_t((float)zeta)).value;
+                check(value >= 0 && value <= 1, "half", value, (double)c.value);
+                const double exact = std::pow(std::fmin(std::fmax(1 - zeta * (1 - (double)c.value), 0), 1), order);
+                error = std::isnan(c.value) ? error : std::max(error, std::fabs(value - exact));
+            }
+        }
+        check(error <= most[number], "half precision's error", error, most[number]);
+    }
+}
+#endif
+
 int main(int, char **arguments) {
     check_vectors(arguments[1]);
     check_slopes();
@@ -229,6 +258,9 @@ int main(int, char **arguments) {
     check_lighting();
     check_area(arguments[2]);
     check_albedo();
+#ifdef GLSL
+    check_half();
+#endif
     std::printf("%s: %d checks, %d failed\n", arguments[0], checks, failures);
     return failures != 0;
 }

@@ -1,27 +1,32 @@
-// The shaders for Metal (-DMETAL) or OSL as C++, and what their tests share. No compiler of either language runs on Linux
-// or is in Debian; both are C++ and C but for their vectors.
+// The shaders for Metal, GLSL, HLSL or OSL (-DMETAL ...) as C++, and what their tests share. All of them are C++ and C but
+// for their vectors and libraries; no compiler of Metal or OSL runs on Linux or is in Debian.
 #ifndef BURNISH_TEST_STAND_IN_H
 #define BURNISH_TEST_STAND_IN_H
 
-#ifdef METAL
-#define BURNISH_EXACT
-#include "burnish.metal"
+#include "library.h"
+
+#ifdef OSL
 typedef float3 vector;
-#else
-#include "osl_stdlib.h"
-// after it, which has vector
-#include "burnish.osl"
-#endif
-#include "burnish/theory.h"
-#include "values.glsl"
-#ifdef METAL
-typedef float2 vec2;
-#else
 typedef vector vec2;
-#endif
 typedef vector vec3;
+#include "burnish.osl"
+#else
+#define BURNISH_EXACT
+typedef float2 vec2;
+typedef float3 vec3;
+#ifdef METAL
+#include "burnish.metal"
+#elif defined GLSL
+#include "burnish.glsl"
+#else
+#include "burnish.hlsl"
+#endif
+typedef float3 vector;
+#endif
 #include "area.glsl"
 #include "area.h"
+#include "burnish/theory.h"
+#include "values.glsl"
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // Every lobe of the shaders at one cosine, by number: what tests compare with burnish/lobe.h.
-// Written so that GLSL, HLSL, Metal's and OSL's C++ stand-ins all read it.
+// The C++ stand-ins of GLSL, HLSL, Metal and OSL all read it.
 float lobeByNumber(int number, float cosine, float zeta, float n) {
     if (number == 0) { return burnishLobe2(cosine, zeta); }
     if (number == 1) { return burnishLobe4(cosine, zeta); }
