@@ -113,8 +113,7 @@ static const struct layer {
                       "mesh/read/io/beside.h burnish wasi"},
     {"lobe/arduino/src", "burnish/lobe_q15.h burnish/shade_q15.h burnish/ring.h burnish/strip.h"},
     {"lobe/arduino/src/burnish", ""}, /* packed next to these: the integer headers */
-    {"lobe/arduino/examples/OledBall", ""},
-    {"lobe/firmware", "OledBall burnish/lobe_q15.h burnish/shade_q15.h"},
+    {"lobe/firmware", "burnish/lobe_q15.h burnish/shade_q15.h"},
     {"lobe/firmware/arm", ""},
     {"lobe/firmware/avr", ""},
     {"lobe/firmware/host", ""},

@@ -1,5 +1,5 @@
 /* Highlights without pow, division and floating point: the lobes, the lighting equation, and strips
- * of shaded triangles for boards with little memory. The examples show all of it.
+ * of shaded triangles for boards with little memory. The example TextRing shows its use.
  *
  * SPDX-License-Identifier: MIT
  * Copyright (c) the burnish authors
