@@ -21,8 +21,7 @@ typedef struct input {
     uint16_t cosines[COSINES];
     uint16_t exponent;
     burnish_lobe_q15 taylor, energy, aligned, order4, order8, order16;
-    uint16_t middles[256]; /* the tables of rivals.h */
-    uint16_t ends[257];
+    uint16_t ends[257];          /* the table of rivals.h */
     int16_t normals[COSINES][3]; /* Q15, 2 % too short, as after interpolation */
     int32_t lengths[COSINES][3]; /* the same of any length */
     burnish_q15_shader shader;
@@ -33,11 +32,6 @@ typedef struct input {
 /* ---- The same in floating point ---- */
 
 #ifdef WITH_FLOAT
-static inline uint16_t float_taylor(float exponent, uint16_t cosine) {
-    const float t = 1.0f - exponent * 0.5f * (1.0f - (float)cosine * (1.0f / 32768.0f));
-    return t > 0.0f ? (uint16_t)(t * t * 65535.0f) : 0;
-}
-
 static inline uint16_t float_power(float exponent, uint16_t cosine) {
     return (uint16_t)(powf((float)cosine * (1.0f / 32768.0f), exponent) * 65535.0f);
 }
@@ -45,8 +39,8 @@ static inline uint16_t float_power(float exponent, uint16_t cosine) {
 
 /* ---- A pixel -------------------------------------------------------------------------------- */
 
-/* One light on an interpolated normal, to RGB565, with any lobe. All, the tables and Schlick
- * included, branch as burnish_q15_shade does. */
+/* One light on an interpolated normal, to RGB565, with any lobe. All branch as
+ * burnish_q15_shade does, also with Schlick's. */
 #define PIXEL(in, at, lobe)                                                                        \
     int16_t normal[3];                                                                             \
     uint16_t color[3], n_dot_l, weight, c;                                                         \
@@ -99,13 +93,9 @@ static inline uint16_t stored(uint16_t slope, uint16_t reach, uint8_t shift, uin
       burnish_composite_q15_at_lambda(&in->composite, (uint32_t)burnish_q15_lambda(c) << 9))       \
     X(power, uint16_t, burnish_composite_q15_at_cosine(&in->power, c))                             \
     X(schlick16, uint16_t, schlick16(n, c))                                                        \
-    X(schlick8, uint8_t, schlick8(n, c))                                                           \
-    X(table_nearest, uint16_t, table_nearest(in->middles, c))                                      \
     X(table_between, uint16_t, table_between(in->ends, c))
 #ifdef WITH_FLOAT
-#define FLOAT_VARIANTS(X)                                                                          \
-    X(float_taylor, float, float_taylor(n, c))                                                     \
-    X(float_power, float, float_power(n, c))
+#define FLOAT_VARIANTS(X) X(float_power, float, float_power(n, c))
 #else
 #define FLOAT_VARIANTS(X)
 #endif
@@ -139,9 +129,7 @@ FLOAT_VARIANTS(LOOP)
     X(pixel_shift7, uint16_t, PIXEL(in, i, burnish_shift7_q15(n, c)))                              \
     X(pixel_aligned_stored, uint16_t,                                                              \
       PIXEL(in, i, stored(in->aligned.slope, in->aligned.reach, 8, c)))                            \
-    X(pixel_schlick16, uint16_t, PIXEL(in, i, schlick16(n, c)))                                    \
-    X(pixel_table_nearest, uint16_t, PIXEL(in, i, table_nearest(in->middles, c)))                  \
-    X(pixel_table_between, uint16_t, PIXEL(in, i, table_between(in->ends, c)))
+    X(pixel_schlick16, uint16_t, PIXEL(in, i, schlick16(n, c)))
 #ifdef WITH_FLOAT
 #define FLOAT_PIXELS(X) X(pixel_float_power, float, PIXEL(in, i, float_power(n, c)))
 #else
@@ -209,10 +197,9 @@ static uint16_t power32(uint32_t x) {
     return burnish_q15_round(x);
 }
 
-static void fill_tables(input *in) {
+static void fill_table(input *in) {
     uint16_t i;
     for (i = 0; i < 256; ++i) {
-        in->middles[i] = power32(((uint32_t)i << 24) + 0x800000ul);
         in->ends[i] = power32((uint32_t)i << 24);
     }
     in->ends[256] = power32(0xFFFFFFFFul);
@@ -262,7 +249,7 @@ static void fill(input *in, uint16_t reach) {
     burnish_lobe_q15_create(&in->order16, BURNISH_Q15_TAYLOR, 16, EXPONENT);
     burnish_composite_q15_create(&in->composite, EXPONENT);
     burnish_composite_q15_create(&in->power, 14);
-    fill_tables(in);
+    fill_table(in);
     fill_normals(in, reach);
 }
 
