@@ -134,7 +134,7 @@ check "one line says how it differs: $(cat "$err")" grep -qx 'burnish: teapot.pn
 check "the report is valid" valid_json
 check "the report has the numbers" grep -q '"passes":.*false' "$out"
 check "the picture is written" [ -s red.png -a -s panels.png ]
-error=$(json error)
+error=$(json error | tail -1) # after the message
 "$burnish" compare teapot.png red.png --json >"$out"
 check "compare has the same error: $(json error), $error" [ "$(json error)" = "$error" ]
 expect 0 '' render :teapot --size=48 --color=red --reference=teapot.png --reference-threshold="$error" -o again.png

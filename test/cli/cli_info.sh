@@ -205,7 +205,7 @@ done
 check "far from the origin: the same picture" [ "$(get hash near.json)" = "$(get hash far.json)" ]
 check "far from the origin: the camera" [ "$(get position far.json)" = "[500009, 4100008.5, -293]" ]
 check "far from the origin: the cut" [ "$(get cuts far.json)" = "[[0, 0, 1, -298.5]]" ]
-run render - --size=64 --camera-position=500009,4100008.5,-293 --clip=0,0,1,-298.5 -o stream.png --json=far.json <far.obj
+"$burnish" render - --size=64 --camera-position=500009,4100008.5,-293 --clip=0,0,1,-298.5 -o stream.png --json=far.json <far.obj
 check "far from the origin: a stream" [ "$(get hash near.json)" = "$(get hash far.json)" ]
 moved 500000.3 4100000.5 -300 >beside.obj
 gives 10 compare far.obj beside.obj --size=64 --json=far.json  # far from the origin: what lies 0.3 beside it is elsewhere
