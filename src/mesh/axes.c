@@ -139,6 +139,23 @@ static void add_circle(finder *f, burnish_vec3 center, burnish_vec3 normal, doub
     }
 }
 
+int burnish_circle_through(const burnish_vec3 p[3], burnish_vec3 *center, double *radius) {
+    const burnish_vec3 u = burnish_vec3_sub(p[1], p[0]), v = burnish_vec3_sub(p[2], p[0]);
+    const burnish_vec3 w = burnish_vec3_cross(u, v);
+    const double uu = burnish_vec3_dot(u, u), vv = burnish_vec3_dot(v, v);
+    const double ww = burnish_vec3_dot(w, w);
+    if (!(ww > 1e-8 * uu * vv)) {
+        return 0;
+    }
+    const burnish_vec3 to =
+        burnish_vec3_scale(burnish_vec3_add(burnish_vec3_scale(burnish_vec3_cross(w, u), vv),
+                                            burnish_vec3_scale(burnish_vec3_cross(v, w), uu)),
+                           1 / (2 * ww));
+    *center = burnish_vec3_add(p[0], to);
+    *radius = burnish_vec3_length(to);
+    return 1;
+}
+
 static void find_axes(finder *f) {
     burnish_axes *axes = f->axes;
     for (uint32_t i = 0; i < f->edges->count && f->memory->status == BURNISH_STATUS_OK &&

@@ -33,4 +33,7 @@ typedef struct burnish_axes {
 void burnish_axes_find(const burnish_mesh_view *mesh, const burnish_edges *edges,
                        burnish_memory *memory, burnish_axes *axes);
 
+/* The circle through three points. Returns 0 if they are in line. */
+int burnish_circle_through(const burnish_vec3 p[3], burnish_vec3 *center, double *radius);
+
 #endif
