@@ -191,6 +191,10 @@ int burnish_annotation_is_free(const burnish_annotation_list *list, const burnis
 void burnish_annotate_dimensions(const burnish_annotation_view *view,
                                  burnish_annotation_list *list);
 
+/* Of the circle through the outermost vertices about a coordinate axis, if each sixteenth of it has
+ * one; else 0. */
+double burnish_annotation_diameter(const burnish_annotation_view *view, int axis);
+
 /* Axes, scale bar and the grid's spacing, in corners that nothing else holds. */
 void burnish_annotate_marks(const burnish_annotation_view *view, burnish_annotation_flags kinds,
                             burnish_annotation_list *list);

@@ -1,8 +1,9 @@
-/* Dimensions: the lengths of the bounding box, as in technical drawings. A dimension line is
- * parallel to an edge on the outline of the box on the screen, outside the box. Extension lines
- * lead there from the ends of the edge. The number is upright, in a gap of the line or next to a
- * line that is too short. */
+/* Dimensions: the lengths of the bounding box, as in technical drawings, and of a round object its
+ * diameter. A dimension line is parallel to an edge on the outline of the box on the screen, outside
+ * the box. Extension lines lead there from the ends of the edge. The number is upright, in a gap of
+ * the line or next to a line that is too short. */
 #include "annotate/annotate.h"
+#include "image/text/text.h"
 
 /* Of the height of a capital. */
 #define LEAST_OFFSET 1.7    /* from the edge to the dimension line */
@@ -22,6 +23,7 @@ typedef struct edge {
     burnish_point d;      /* from p to q, unit length */
     burnish_point n;      /* away from the box, unit length */
     double length, value; /* pixels; units */
+    int is_diameter;
     double preference;
 } edge;
 
@@ -51,6 +53,7 @@ static int make_edge(const burnish_annotation_view *view, int i, int j, edge *ma
     }
     made->p = p;
     made->q = q;
+    made->is_diameter = 0;
     made->length = length;
     made->preference = made->n.y + 0.45 * made->n.x; /* below rather than above, right than left */
     return 1;
@@ -71,8 +74,8 @@ static void push_line(burnish_annotation_list *made, burnish_point a, burnish_po
 static void make_dimension(const burnish_annotation_view *view, const edge *e, int tier, int place,
                            burnish_annotation_list *made) {
     const double text = view->text, arrow = BURNISH_ARROW_LENGTH * text, clear = CLEAR * text;
-    char number[BURNISH_LABEL_SIZE];
-    burnish_number_text(e->value, number);
+    char number[BURNISH_LABEL_SIZE] = BURNISH_DIAMETER;
+    burnish_number_text(e->value, number + (e->is_diameter ? sizeof BURNISH_DIAMETER - 1 : 0));
     made->labels[0] = burnish_annotation_label_at(view, number, e->p, BURNISH_LAYER_LINES);
     const double width = made->labels[0].area.right - made->labels[0].area.left;
     const double gap = extent_along(e->d, width + clear, text + clear);
@@ -176,6 +179,28 @@ static int is_measured(const burnish_annotation_view *view, int axis) {
            burnish_axis(view->high, axis) > burnish_axis(view->low, axis);
 }
 
+/* The axis of an object that is round about just one, with its diameter; -1: there is none. */
+static int find_round(const burnish_annotation_view *view, double *diameter) {
+    int found = -1, count = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double measured = burnish_annotation_diameter(view, axis);
+        count += measured > 0;
+        found = measured > 0 ? axis : found;
+        *diameter = measured > 0 ? measured : *diameter;
+    }
+    return count == 1 ? found : -1;
+}
+
+/* Whether another length states the diameter, too: one in this view, the longer or the first, or, if
+ * this view has one length, in the view next to it. */
+static int is_repeated(const burnish_annotation_view *view, int axis, int round) {
+    const int other = 3 - axis - round;
+    const burnish_vec3 size = burnish_vec3_sub(view->high, view->low);
+    const double longer = burnish_axis(size, other) - burnish_axis(size, axis);
+    return (view->lengths & (view->lengths - 1)) == 0 ||
+           (is_measured(view, other) && (longer > 0 || (longer == 0 && other < axis)));
+}
+
 /* Longest edges first: they need their middle. */
 void burnish_annotate_dimensions(const burnish_annotation_view *view,
                                  burnish_annotation_list *list) {
@@ -184,9 +209,16 @@ void burnish_annotate_dimensions(const burnish_annotation_view *view,
     burnish_annotation_list made = {.labels = &label, .memory = list->memory}; /* it is tried */
     int counts[3] = {0}, order[3];
     double lengths[3] = {0};
+    double diameter = 0;
+    const int round = find_round(view, &diameter);
     for (int axis = 0; axis < 3; ++axis) {
-        if (is_measured(view, axis)) {
+        const int is_round = round >= 0 && axis != round;
+        if (is_measured(view, axis) && !(is_round && is_repeated(view, axis, round))) {
             counts[axis] = view->corners_seen ? list_edges(view, axis, edges[axis]) : 0;
+            for (int k = 0; k < counts[axis] && is_round; ++k) {
+                edges[axis][k].value = diameter;
+                edges[axis][k].is_diameter = 1;
+            }
             lengths[axis] = counts[axis] > 0 ? edges[axis][0].length : 0;
             list->left_out += counts[axis] == 0;
         }

@@ -1,5 +1,6 @@
-/* Diameters of the circles that a view sees end on, one for equal ones, and the positions of their
- * centres: running dimensions from one origin (ISO 129-1), above the object and on its left. */
+/* Diameters and radii of the circles and arcs that a view sees end on, one for
+ * equal ones, and the positions of centres: running dimensions from one origin
+ * (ISO 129-1), above the object and on its left. */
 #include <stdio.h>
 #include <string.h>
 
@@ -21,17 +22,22 @@
 #define EDGE_ON_SINE 0.1
 #define LEAST_RADIUS 2.0 /* pixels */
 #define SAME 0.05        /* pixels between positions that are one */
+#define HALF_TURN 3.2    /* radians: longer arcs have a diameter; ... */
+#define LEAST_TURN 3.0   /* ... shorter ones are fillets, whose centres have no position */
 #define DIAGONAL 0.70710678118654752440
 #define STEEP_X 0.5
 #define STEEP_Y 0.86602540378443864676
 
-/* Bounds of time: labels in all, those tried next to circles, edges that each keeps clear of. */
+/* Bounds of time: labels in all, those tried next to circles, edges that each
+ * keeps clear of. */
 enum { LABELS_MAX = 56, LEADERS = 64, MEMBERS = 8, DIAMETERS_MAX = 32, OUTLINES_MAX = 1 << 16 };
 
 typedef struct hole {
     burnish_point at;
     double radius;                 /* pixels */
     double largest;                /* of the circles around the same centre */
+    double angle;                  /* 7 if it is closed, else the sum of its arcs, radians */
+    burnish_point toward;          /* a point of the first arc */
     char text[BURNISH_LABEL_SIZE]; /* its diameter */
     int is_done;
 } hole;
@@ -44,6 +50,10 @@ typedef struct finder {
     size_t count, capacity;
     int diameters; /* that were tried */
 } finder;
+
+static double distance_between(burnish_point a, burnish_point b) {
+    return burnish_sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
+}
 
 /* Whether two of a circle's outermost points are seen. */
 static int is_circle_seen(const finder *f, const burnish_circle *circle) {
@@ -59,23 +69,25 @@ static int is_circle_seen(const finder *f, const burnish_circle *circle) {
     return seen >= 2;
 }
 
-static void add_hole(finder *f, const burnish_circle *circle, const burnish_axis_line *axis) {
+/* Equal circles and parts of one circle around the same point are one. */
+static void add_hole(finder *f, burnish_vec3 center, double radius, burnish_vec3 normal,
+                     hole made) {
     double distance;
-    hole made = {.at = burnish_annotation_project(f->view, circle->center, &distance)};
-    made.radius = made.largest = circle->radius * f->view->pixels;
-    if (axis->radius == 0 ||
-        burnish_vec3_length(burnish_vec3_cross(axis->direction, f->view->forward)) > END_ON_SINE ||
-        made.radius < LEAST_RADIUS || !is_circle_seen(f, circle)) {
+    made.at = burnish_annotation_project(f->view, center, &distance);
+    made.radius = made.largest = radius * f->view->pixels;
+    if (burnish_vec3_length(burnish_vec3_cross(normal, f->view->forward)) > END_ON_SINE ||
+        made.radius < LEAST_RADIUS) {
         return;
     }
-    burnish_number_text(2 * circle->radius, made.text);
+    burnish_number_text(2 * radius, made.text);
     for (size_t i = 0; i < f->count; ++i) {
         hole *other = &f->holes[i];
-        const double x = other->at.x - made.at.x, y = other->at.y - made.at.y;
-        if (x * x + y * y < SAME * SAME) {
+        if (distance_between(other->at, made.at) < SAME) {
             other->largest = made.largest =
                 made.largest > other->largest ? made.largest : other->largest;
             if (strcmp(other->text, made.text) == 0) {
+                const int is_other = distance_between(other->toward, made.toward) > made.radius / 2;
+                other->angle += is_other ? made.angle : 0;
                 return;
             }
         }
@@ -87,7 +99,29 @@ static void add_hole(finder *f, const burnish_circle *circle, const burnish_axis
     }
 }
 
-/* Sharp edges, hidden ones too, and those of smooth surfaces that are seen edge on. */
+/* Circles first. Arcs smaller than a letter are details. */
+static void add_holes(finder *f, const burnish_axes *axes) {
+    for (size_t i = 0; i < axes->circle_count; ++i) {
+        const burnish_circle *circle = &axes->circles[i];
+        const burnish_axis_line *axis = &axes->items[circle->axis];
+        if (axis->radius > 0 && is_circle_seen(f, circle)) {
+            add_hole(f, circle->center, circle->radius, axis->direction, (hole){.angle = 7});
+        }
+    }
+    for (size_t i = 0; i < axes->arc_count; ++i) {
+        const burnish_arc *arc = &axes->arcs[i];
+        double distance;
+        const burnish_point p = burnish_annotation_project(f->view, arc->middle, &distance);
+        if (arc->radius * f->view->pixels > f->view->text &&
+            burnish_annotation_is_seen(f->view, p, distance)) {
+            add_hole(f, arc->center, arc->radius, arc->normal,
+                     (hole){.angle = arc->angle, .toward = p});
+        }
+    }
+}
+
+/* Sharp edges, hidden ones too, and those of smooth surfaces that are seen edge
+ * on. */
 static void add_outlines(finder *f, const burnish_edges *edges) {
     const burnish_mesh_view *mesh = f->view->mesh;
     for (size_t i = 0; i < edges->count && f->outlines.line_count <= OUTLINES_MAX; ++i) {
@@ -128,12 +162,21 @@ static void add_line(const finder *f, burnish_point a, burnish_point b) {
 
 /* ---- Diameters ---- */
 
-/* A leader from the circle to a label outside it, along a diagonal or steeper. */
+/* A leader from the circle to a label outside it, along a diagonal or steeper,
+ * or for short arcs in their direction. */
 static int try_leader(finder *f, const hole *h, const char *text, int which) {
     const double step = (SHORTEST + STEP * (which / 8)) * f->view->text;
     const double x = which & 4 ? STEEP_X : DIAGONAL, y = which & 4 ? STEEP_Y : DIAGONAL;
     burnish_point d = {which & 1 ? -x : x, which & 2 ? y : -y};
+    if (h->angle < HALF_TURN) {
+        const double reach = distance_between(h->toward, h->at);
+        const burnish_point to = {(h->toward.x - h->at.x) / reach, (h->toward.y - h->at.y) / reach};
+        d = h->angle < LEAST_TURN || d.x * to.x + d.y * to.y < x / 2 ? to : d;
+    }
     const burnish_point tip = burnish_moved_along(h->at, d, h->radius);
+    if (h->angle < LEAST_TURN && which & 2) { /* from within */
+        d = (burnish_point){-d.x, -d.y};
+    }
     const double side = d.x < 0 ? -1 : 1;
     const burnish_point elbow = burnish_moved_along(tip, d, step);
     const burnish_area own =
@@ -161,13 +204,16 @@ static int try_leader(finder *f, const hole *h, const char *text, int which) {
     return 1;
 }
 
-/* One for all circles of a diameter, next to one of the first. */
+/* One for all circles of a diameter, or arcs of a radius, next to one of the
+ * first. */
 static void add_diameter(finder *f, size_t first) {
-    char text[BURNISH_LABEL_SIZE], number[24] = "";
+    char text[BURNISH_LABEL_SIZE], value[BURNISH_LABEL_SIZE], number[24] = "";
     size_t members[MEMBERS], count = 0;
+    const int is_arc = f->holes[first].angle < HALF_TURN;
     int is_placed = 0;
     for (size_t i = first; i < f->count; ++i) {
-        if (strcmp(f->holes[i].text, f->holes[first].text) == 0) {
+        if (strcmp(f->holes[i].text, f->holes[first].text) == 0 &&
+            is_arc == (f->holes[i].angle < HALF_TURN)) {
             f->holes[i].is_done = 1;
             members[count < MEMBERS ? count : MEMBERS - 1] = i;
             ++count;
@@ -176,7 +222,8 @@ static void add_diameter(finder *f, size_t first) {
     if (count > 1) {
         snprintf(number, sizeof number, "%zux ", count);
     }
-    snprintf(text, sizeof text, "%.8s" BURNISH_DIAMETER "%.20s", number, f->holes[first].text);
+    burnish_number_text(f->holes[first].radius * (is_arc ? 1 : 2) / f->view->pixels, value);
+    snprintf(text, sizeof text, "%.8s%s%.20s", number, is_arc ? "R" : BURNISH_DIAMETER, value);
     const int leaders = ++f->diameters <= DIAMETERS_MAX ? LEADERS : 0;
     for (int which = 0; which < leaders; ++which) {
         for (size_t i = 0; i < count && i < MEMBERS && !is_placed; ++i) {
@@ -194,7 +241,8 @@ typedef struct running {
     double length; /* of the box */
 } running;
 
-/* Where a hole's centre is along a line of positions, and the middle of its number. */
+/* Where a hole's centre is along a line of positions, and the middle of its
+ * number. */
 typedef struct position {
     const hole *hole;
     double at, to, half; /* half: of the room that the number needs along the line */
@@ -205,14 +253,16 @@ static double measure(const running *r, const hole *h, burnish_point d) {
     return (h->at.x - r->origin.x) * d.x + (h->at.y - r->origin.y) * d.y;
 }
 
-/* The next position after `last`, of the circle nearest to the line; NULL: none. A circle that
- * reaches the origin's edge has no position: a round object has no edge to measure from. */
+/* The next position after `last`, of the circle nearest to the line; NULL:
+ * none. A circle that reaches the origin's edge has no position: a round object
+ * has no edge to measure from. */
 static const hole *next_position(const finder *f, const running *r, double last) {
     const hole *next = NULL;
     for (size_t i = 0; i < f->count; ++i) {
         const hole *h = &f->holes[i];
         const double at = measure(r, h, r->along), best = next ? measure(r, next, r->along) : 0;
-        if (at > last + SAME && at > h->largest + SAME && at < r->length - SAME &&
+        if (h->angle > LEAST_TURN && at > last + SAME && at > h->largest + SAME &&
+            at < r->length - SAME &&
             (!next || at < best - SAME ||
              (at < best + SAME && measure(r, h, r->out) > measure(r, next, r->out)))) {
             next = h;
@@ -221,7 +271,8 @@ static const hole *next_position(const finder *f, const running *r, double last)
     return next;
 }
 
-/* The label of a number with its middle at a point; a turned one reads upward. */
+/* The label of a number with its middle at a point; a turned one reads upward.
+ */
 static burnish_annotation_label number_at(const finder *f, const char *text, burnish_point p,
                                           int is_turned) {
     burnish_annotation_label made =
@@ -236,8 +287,8 @@ static burnish_annotation_label number_at(const finder *f, const char *text, bur
     return made;
 }
 
-/* Numbers that have no room next to each other are moved apart, by no more than they need. Returns
- * whether one is. */
+/* Numbers that have no room next to each other are moved apart, by no more than
+ * they need. Returns whether one is. */
 static int spread_numbers(const finder *f, position *all, size_t count, int is_wide) {
     double before = -1e9, after = 1e9;
     int is_moved = 0;
@@ -333,8 +384,8 @@ static void add_positions(finder *f, const running *r) {
 
 static void annotate_holes(finder *f) {
     const burnish_area box = f->view->box;
-    for (size_t i = 0; i < f->count; ++i) { /* centre lines */
-        for (int k = 0; k < 2; ++k) {
+    for (size_t i = 0; i < f->count; ++i) {
+        for (int k = 0; k < 2 && f->holes[i].angle > HALF_TURN; ++k) { /* centre lines */
             const burnish_point d = {k, 1 - k};
             const double reach = f->holes[i].largest + f->view->text;
             burnish_annotation_add_line(&f->outlines, burnish_moved_along(f->holes[i].at, d, reach),
@@ -344,9 +395,10 @@ static void annotate_holes(finder *f) {
     }
     add_positions(f, &(running){{box.left, box.top}, {1, 0}, {0, -1}, box.right - box.left});
     add_positions(f, &(running){{box.left, box.bottom}, {0, -1}, {-1, 0}, box.bottom - box.top});
-    for (size_t i = 0; i < f->count; ++i) {
-        if (!f->holes[i].is_done) {
-            add_diameter(f, i);
+    for (size_t i = 0; i < 2 * f->count; ++i) { /* arcs first, which have fewer places */
+        const hole *h = &f->holes[i % f->count];
+        if (!h->is_done && (i >= f->count || h->angle < HALF_TURN)) {
+            add_diameter(f, i % f->count);
         }
     }
 }
@@ -362,15 +414,16 @@ void burnish_annotate_holes(const burnish_annotation_view *view, burnish_annotat
         burnish_edges_find(view->mesh, &tasks, memory, &edges) == BURNISH_STATUS_OK) {
         burnish_axes_find(view->mesh, &edges, memory, &axes);
     }
-    for (size_t i = 0; i < axes.circle_count && memory->status == BURNISH_STATUS_OK; ++i) {
-        add_hole(&f, &axes.circles[i], &axes.items[axes.circles[i].axis]);
+    if (memory->status == BURNISH_STATUS_OK) {
+        add_holes(&f, &axes);
     }
     list->left_out += axes.are_too_many != 0;
     if (f.count > 0 && memory->status == BURNISH_STATUS_OK) {
         add_outlines(&f, &edges);
         annotate_holes(&f);
     }
-    void *const arrays[] = {edges.items, axes.items, axes.circles, f.holes, f.outlines.lines};
+    void *const arrays[] = {edges.items, axes.items, axes.circles,
+                            axes.arcs,   f.holes,    f.outlines.lines};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; ++i) {
         burnish_release(memory->context, arrays[i]);
     }

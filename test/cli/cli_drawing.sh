@@ -129,6 +129,30 @@ END
 done
 run render ../block.obj --look=drawing --views=third-angle --annotate=dimensions,axes --dpi=100 -o a.svg
 check "each length once: $(grep -o 'aria-label="[^"]*"' a.svg)" [ "$(grep -c 'aria-label="[0-9.]*"' a.svg)" = 3 ]
+for sides in 24 12; do # a prism of 24 sides is round
+    python3 -c "
+from math import cos, sin, tau
+n = $sides
+for k in range(2 * n): print('v', 5 * cos(k % n * tau / n), 5 * sin(k % n * tau / n), k // n)
+print('f', *range(n, 0, -1), '\nf', *range(n + 1, 2 * n + 1))
+for k in range(n): print('f', k + 1, (k + 1) % n + 1, (k + 1) % n + n + 1, k + n + 1)" >prism.obj
+    run render prism.obj --up=+Z --look=drawing --views=top --annotate=dimensions -o a.svg
+    check "$sides sides: $(grep -o 'aria-label="[^"]*"' a.svg)" [ "$(grep -c 'aria-label="Ø10"' a.svg)" = "$((sides / 24))" ]
+done
+rm prism.obj
+for label in 180=R5 270=Ø10; do # arcs have a radius, longer ones a diameter
+    python3 -c "
+from math import cos, radians, sin
+points = [(0, 0)] + [(5 * cos(radians(a)), 5 * sin(radians(a))) for a in range(0, ${label%=*} + 1, 10)]
+n = len(points)
+for z in 0, 1:
+    for x, y in points: print('v', x, y, z)
+print('f', *range(n, 0, -1), '\nf', *range(n + 1, 2 * n + 1))
+for k in range(n): print('f', k + 1, (k + 1) % n + 1, (k + 1) % n + n + 1, k + n + 1)" >arc.obj
+    run render arc.obj --up=+Z --look=drawing --views=third-angle --annotate=dimensions -o a.svg
+    check "${label%=*} degrees: $(grep -o 'aria-label="[^"]*"' a.svg)" grep -q "aria-label=\"${label#*=}\"" a.svg
+done
+rm arc.obj
 # A plate with six pins, which are polygons of 48 sides; the fourth is larger.
 block 60 40 1 >pins.obj
 python3 - <<'END' >>pins.obj

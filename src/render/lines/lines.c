@@ -557,7 +557,7 @@ void burnish_line_art_destroy(burnish_line_art *art, const burnish_context *cont
     void *const arrays[] = {art->axes.items, art->axes.circles, art->edges.items, art->joints,
                             art->facing,     art->block_counts, art->segments,    art->links,
                             art->points,     art->starts,       art->widths,      art->is_rim,
-                            art->depth,      art->triangles};
+                            art->depth,      art->triangles,    art->axes.arcs};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; ++i) {
         burnish_release(context, arrays[i]);
     }
