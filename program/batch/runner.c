@@ -563,7 +563,9 @@ static char *run_item(runner *r, uint32_t index, batch_reply *reply) {
         reply->failed = is_late ? BATCH_LATE : BATCH_FAILED;
     }
     const double seconds = burnish_seconds_now() - start;
-    char *text = settings.job.is_reported && result.is_drawn ? render_line(r)
+    const int is_whole = result.is_drawn && /* else it could not be finished */
+                         (code == 0 || code == CLI_EXIT_BLANK || code == CLI_EXIT_DIFFERENT);
+    char *text = settings.job.is_reported && is_whole ? render_line(r)
                  : reply->failed ? batch_failed_line(r->b, item, code, error.text, seconds)
                                  : done_line(r->b, item, hash, &result, &seen, seconds);
     release_files(&seen);

@@ -74,12 +74,13 @@ static burnish_annotation_label make_row(const burnish_annotation_view *view, si
 static size_t fit_list(const burnish_annotation_view *view, burnish_annotation_view *on,
                        double *most) {
     const double smaller = view->width < view->height ? view->width : view->height;
+    const double least = view->text < SMALLEST_TEXT ? view->text : SMALLEST_TEXT;
     const size_t all = view->callouts->count;
     size_t shown = 0;
     *on = *view;
     for (int k = 0; k < 3 && shown < all; ++k) {
         const double text = (double)(int)((1 - 0.15 * k) * view->text + 0.5);
-        on->text = k == 0 || text > SMALLEST_TEXT ? text : SMALLEST_TEXT;
+        on->text = text > least ? text : least;
         *most = LIST_WIDEST * smaller - NUMBER * on->text;
         const double rows = (view->height - (2 * BORDER + 1) * on->text) / (ROW * on->text) + 1;
         shown = *most < 3 * on->text || rows < 2 ? 0 : rows < (double)all ? (size_t)rows - 1 : all;

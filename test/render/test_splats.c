@@ -276,6 +276,14 @@ static void check_among_triangles(int is_glass, burnish_isa isa) {
             fmax(worst, fabs(image.pixels[3 * i + 2] - (255 * blue * (1 - red) + through * back)));
     }
     CHECK(worst < 1.2, "among triangles: off by %g", worst);
+    float depths[SIDE * SIDE]; /* with a plane, a tile is drawn twice */
+    uint8_t again[3 * SIDE * SIDE];
+    burnish_target target = burnish_target_default();
+    target.pixels = (burnish_pixels){SIDE, SIDE, BURNISH_PIXELS_RGB8, 3 * SIDE, again};
+    target.depth = depths;
+    target.depth_stride = SIDE * sizeof *depths;
+    draw_into(mesh, &options, &target, NULL);
+    CHECK1(memcmp(again, image.pixels, sizeof again) == 0);
     CHECK1(report.covered_pixels > SIDE * SIDE / 2 && report.covered_pixels < SIDE * SIDE &&
            report.bounds[0] == 0 && report.bounds[2] < SIDE && report.bounds[2] > SIDE / 2 + 5);
     burnish_image_destroy(&image);

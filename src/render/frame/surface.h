@@ -85,8 +85,9 @@ typedef struct burnish_shading {
     int needs_position;                               /* 1: a point light or a local viewer */
     const struct burnish_occlusion_lookup *occlusion; /* NULL: none */
     const burnish_ray_light *ray_light;               /* instead of depth maps; NULL: none */
-    const struct burnish_shadow_lookup *shadow;       /* of the first light; NULL: none */
-    const burnish_texturing *texturing;               /* NULL: no material is special */
+    int is_deep; /* 1: layers so far behind others that no ray is refracted there */
+    const struct burnish_shadow_lookup *shadow; /* of the first light; NULL: none */
+    const burnish_texturing *texturing;         /* NULL: no material is special */
     size_t hollow_from; /* triangles from this one on bound hollows of negative volumes; 0: none */
     const burnish_area *area; /* NULL: no light from many directions */
     /* the body by which `kernels->shade_mixed` shades all materials at once; NONE: it can't */

@@ -395,6 +395,9 @@ static void store_outline(const burnish_output *output, const burnish_tile *tile
 void burnish_output_store_row(const burnish_output *output, const burnish_tile *tile,
                               const burnish_tile_sums *sums, int number, burnish_row_light *row) {
     float shadow[BURNISH_BLOCK_ROW_PIXELS];
+    if (output->has_planes) { /* while row->pixels tells of opaque triangles alone */
+        burnish_planes_store_row(output, tile, sums, number, &row->pixels);
+    }
     if (output->target.pixels.pixels) {
         if (output->samples > 1) {
             resolve_row(output, sums, number, row);
@@ -405,9 +408,6 @@ void burnish_output_store_row(const burnish_output *output, const burnish_tile *
         } else {
             store_pixels(output, tile, sums, number, row);
         }
-    }
-    if (output->has_planes) {
-        burnish_planes_store_row(output, tile, sums, number, &row->pixels);
     }
     if (output->outline) {
         const burnish_outline_pixels pixels = {row->pixels.simple,

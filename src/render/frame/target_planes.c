@@ -117,12 +117,14 @@ void burnish_planes_store_fragments(const burnish_output *output, const burnish_
     }
 }
 
-static void store_coverage(const burnish_output *output, int x, int y, int covered) {
+/* Where layers alone cover a pixel, it counts as covered, but hides no splat. */
+static void store_coverage(const burnish_output *output, int x, int y, int covered, int layered) {
     const burnish_target *target = &output->target;
     uint8_t *coverage = plane_at(target->coverage, target->coverage_stride, x, y, 1);
     const int samples = output->samples;
     if (coverage) {
         *coverage = (uint8_t)((255 * covered + samples / 2) / samples);
+        *coverage = *coverage == 0 && layered ? 1 : *coverage;
     }
 }
 
@@ -152,6 +154,7 @@ void burnish_planes_store_row(const burnish_output *output, const burnish_tile *
         const int covered = simple >= 0            ? output->samples
                             : output->samples == 1 ? 0
                                                    : sums->covered[base + i];
-        store_coverage(output, tile->x + x, y, covered);
+        const unsigned layers = burnish_layered_pixels(sums, number, i / BURNISH_BLOCK_PIXELS);
+        store_coverage(output, tile->x + x, y, covered, layers >> i % BURNISH_BLOCK_PIXELS & 1);
     }
 }

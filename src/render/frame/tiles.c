@@ -122,6 +122,9 @@ static void shade_layers(const burnish_frame *frame, const burnish_bins *bins,
     burnish_layer_light_clear(worker->layers, frame->output.samples,
                               wanted && texturing && texturing->has_passing);
     shade_pass(frame, &surface, worker);
+    burnish_shading deep = *surface.shading; /* else a pixel could cast millions of rays */
+    deep.is_deep = 1;
+    surface.shading = &deep;
     while (burnish_layers_deeper(tile, worker->layers->through, worker->layers->channel, UNSEEN,
                                  frame->layer_passes)) {
         frame->ops->draw_deeper_layers(tile, frame->geometry, bins, column, row);

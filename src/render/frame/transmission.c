@@ -56,7 +56,8 @@ void burnish_pass_light(const burnish_shading *shading, const burnish_kernels_po
                                .shader = &shading->texturing->white,
                                .points = *points,
                                .facing = is_group ? scratch->group.facing : scratch->facing};
-    passing.is_traced = shading->ray_light && shading->ray_light->volumes && from->refracts;
+    passing.is_traced =
+        shading->ray_light && shading->ray_light->volumes && from->refracts && !shading->is_deep;
     const float *direction[3];
     float *seen[3];
     for (int k = 0; k < 3; ++k) {

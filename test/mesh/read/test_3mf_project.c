@@ -343,6 +343,20 @@ static void test_parts_of_plate(void) {
     CHECK_OK(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL), fault);
     CHECK(got.part_count == 1 && got.triangle_count == 4 && got.warning_count == 0, "%zu parts",
           got.part_count);
+    zip = begin_project(
+        MODEL("<object id='1'><components><component p:path='/c.model' objectid='1'/>"
+              "</components></object>" COMPONENTS(COMPONENT("1")),
+              "<item objectid='1'/><item objectid='9'" AT("120", "10")),
+        "<config>" PLATE("1", "0") "<plate/></config>",
+        "{'filament_colour':['#FF0000'],'printable_area':['0x0','100x0','100x200','0x200']}");
+    put_part_text(zip, "c.model", quoted_text(MODEL(OBJECT("1", "model"), "")));
+    put_part_text(zip, "3D/b.model", /* a part that needs another */
+                  quoted_text(MODEL("<object id='1'><components><component p:path='/c.model' "
+                                    "objectid='1'/></components></object>",
+                                    "")));
+    end_zip(zip, 0);
+    CHECK_OK(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL), fault);
+    CHECK1(got.triangle_count == 4 && got.warning_count == 0);
 }
 
 /* PrusaSlicer lists no beds: they are squares of 1, 4 and 9, at a distance of their size and a gap.

@@ -517,7 +517,7 @@ static void count_primitive(gltf_drawer *drawer, const burnish_gltf_node *node,
     }
     drawer->has[BURNISH_TEXCOORD] |= drawer->has[BURNISH_TEXCOORD2];
     material_at(drawer, primitive, matrix);
-    if (drawer->is_beside) {
+    if (drawer->is_beside && !drawer->has[BURNISH_SPLAT]) {
         return; /* burnish_fits_beside */
     }
     if (drawer->elements > gltf->reader->input->options->max_triangles) {

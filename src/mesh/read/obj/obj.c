@@ -92,6 +92,7 @@ static burnish_status read_line(obj_state *obj, burnish_lexer *lexer, size_t bef
 /* #MRGB: from `at` on, up to what is no digit. */
 static burnish_status read_paint(obj_state *obj, const uint8_t *at, const uint8_t *end) {
     enum { DIGITS = 8 };
+    burnish_memory *memory = &obj->reader->mesh->memory;
     for (; end - at >= DIGITS; at += DIGITS) {
         char digits[DIGITS + 1] = {0};
         memcpy(digits, at, DIGITS);
@@ -99,10 +100,10 @@ static burnish_status read_paint(obj_state *obj, const uint8_t *at, const uint8_
             break;
         }
         const unsigned long value = strtoul(digits, NULL, 16);
-        obj->paint = burnish_reserve(&obj->reader->mesh->memory, obj->paint, &obj->paint_capacity,
-                                     obj->paint_count + 1, 4, "colours");
-        if (!obj->paint) {
-            return BURNISH_STATUS_MEMORY;
+        obj->paint = burnish_reserve(memory, obj->paint, &obj->paint_capacity, obj->paint_count + 1,
+                                     4, "colours");
+        if (memory->status != BURNISH_STATUS_OK) {
+            return memory->status;
         }
         const uint8_t rgba[4] = {(uint8_t)(value >> 16), (uint8_t)(value >> 8), (uint8_t)value,
                                  255};

@@ -184,7 +184,7 @@ static void skip_other_plates(burnish_threemf *threemf) {
         if (!object && item->part != BURNISH_THREEMF_NONE) {
             threemf->parts.items[item->part].is_skipped = 0;
         }
-        for (uint32_t k = 0; object && k < object->component_count; ++k) {
+        for (uint32_t k = 0; object && object->state == 0 && k < object->component_count; ++k) {
             const uint32_t part = threemf->components.items[object->first_component + k].part;
             if (part == 0) { /* may hold others */
                 need_all = 1;
@@ -192,12 +192,29 @@ static void skip_other_plates(burnish_threemf *threemf) {
                 threemf->parts.items[part].is_skipped = 0;
             }
         }
+        if (object) {
+            object->state = 1; /* its components are marked */
+        }
     }
     for (size_t i = 0; i < threemf->objects.count; ++i) {
         threemf->objects.items[i].items = 0;
+        threemf->objects.items[i].state = 0;
     }
-    for (size_t i = 1; i < threemf->parts.count && need_all; ++i) {
-        threemf->parts.items[i].is_skipped = 0;
+    threemf->needs_all_parts = need_all;
+}
+
+/* Reads the parts that are skipped, or those that are not. */
+static void read_models(burnish_threemf *threemf, int are_skipped) {
+    for (uint32_t i = 0; i < threemf->parts.count && threemf->status == BURNISH_STATUS_OK &&
+                         threemf->memory->status == BURNISH_STATUS_OK;
+         ++i) {
+        if (threemf->parts.items[i].is_skipped == are_skipped) {
+            threemf->parts.items[i].is_skipped = 0;
+            burnish_threemf_read_model(threemf, i);
+        }
+        if (i == 0 && !are_skipped && threemf->status == BURNISH_STATUS_OK) {
+            skip_other_plates(threemf);
+        }
     }
 }
 
@@ -208,15 +225,9 @@ static void read_parts(burnish_threemf *threemf) {
         find_start(threemf);
     }
     burnish_threemf_read_project(threemf);
-    for (uint32_t i = 0; i < threemf->parts.count && threemf->status == BURNISH_STATUS_OK &&
-                         threemf->memory->status == BURNISH_STATUS_OK;
-         ++i) {
-        if (!threemf->parts.items[i].is_skipped) {
-            burnish_threemf_read_model(threemf, i);
-        }
-        if (i == 0 && threemf->status == BURNISH_STATUS_OK) {
-            skip_other_plates(threemf);
-        }
+    read_models(threemf, 0);
+    if (threemf->needs_all_parts) {
+        read_models(threemf, 1);
     }
     if (threemf->status == BURNISH_STATUS_OK) {
         threemf->status = threemf->memory->status;

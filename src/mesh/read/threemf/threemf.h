@@ -203,6 +203,7 @@ typedef struct burnish_threemf {
     burnish_zip zip;
     const burnish_zip_part *thumbnail; /* NULL: no relationship names one */
     int is_empty;                      /* 1: nothing is built */
+    int needs_all_parts;               /* 1: no part may be skipped */
 
     BURNISH_THREEMF_LIST(burnish_threemf_part) parts;
     BURNISH_THREEMF_LIST(burnish_threemf_resource) resources; /* sorted, once all are there */

@@ -353,6 +353,7 @@ static int read_placement(model_state *model, burnish_threemf_xml *xml,
                                     .is_unprinted = printable && strcmp(printable, "0") == 0};
     if (path) {
         placement->part = burnish_threemf_add_part(model->threemf, path);
+        model->threemf->needs_all_parts |= model->part != 0;
     }
     return burnish_threemf_whole(xml, attributes, "objectid", BURNISH_THREEMF_NONE,
                                  &placement->id) &&
