@@ -179,7 +179,7 @@ drawn_as
 check "the same bytes with another time: drawn again" [ -z "$(find out -newermt @1000000000 -name a.png)" ]
 rm -rf out e.hdr one.png first.png
 # Parts: each input in one of them, as equal in bytes as can be; together they are the whole, and a part that is missing is drawn
-# by the run that writes the report of all. So are those of the examples for arrays of jobs and for queues.
+# by the run that writes the report of all.
 batch in -r -d out --size=16 --no-seconds
 check "--no-seconds" [ "$(grep -c seconds out/burnish-batch.jsonl)" = 0 ]
 mv out reference
@@ -195,27 +195,9 @@ check "what parts have drawn is left" [ -n "$(find out -name '*.png' ! -newermt 
 check "what no part has drawn is not" [ -n "$(find out -name '*.png' -newermt 2002-01-01)" ]
 check "the parts are the whole: $(diff -r out reference 2>&1 | head -n 3)" diff -r out reference
 rm -rf out
-mkdir programs
-ln -s "$burnish" programs/burnish
-examples=$here/../../docs/examples
-for task in 1 2 3 9; do # more parts than inputs
-    PATH=$scratch/programs:$PATH SLURM_ARRAY_TASK_ID=$task SLURM_CPUS_PER_TASK=2 \
-        "$examples/batch-array.sh" 9 in out --size=16 --no-seconds $memory >"$out" 2>"$err"
-done
-check "an array of jobs: $(cat "$err")" [ "$(find out -name '*.jsonl' | wc -l)" = 4 ]
-workers=
-for worker in 1 2 3; do
-    PATH=$scratch/programs:$PATH "$examples/batch-queue.sh" 4 in out --size=16 --no-seconds $memory >/dev/null 2>&1 &
-    workers="$workers $!"
-done
-wait $workers
-check "a queue" [ "$(find out -name '*-of-4.jsonl' | wc -l)" = 4 ]
-rm -rf out/.taken
-touch -d '2001-01-01' out/*.png out/*/*.png
-batch in -r -d out --size=16 --no-seconds
-check "all was drawn" [ -z "$(find out -name '*.png' -newermt 2002-01-01)" ]
-check "an array and a queue: $(diff -r out reference 2>&1 | head -n 3)" diff -r out reference
-rm -rf out reference programs
+for part in 1 2 3 9; do batch in -r -d out --size=16 --no-seconds --shard=$part/9; done # more parts than inputs
+check "parts without inputs" [ "$(find out -name '*.jsonl' | wc -l)" = 4 ]
+rm -rf out reference
 for part in 0/3 4/3 1.5/3 3 /; do
     expect 2 "burnish: --shard: \"$part\": expected I/N with 1 <= I <= N <= 1000000, such as 3/100, or rank" batch in --shard=$part
 done
