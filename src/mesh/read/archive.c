@@ -53,19 +53,28 @@ static void list_name(choice *found, const char *name) {
     }
 }
 
-/* The format of a file by its name; COUNT: an importer's, which only a name that is asked for may be. */
-static int format_of(const char *name, const burnish_load_options *options, const char *member) {
+/* Formats of importers that downloads have; others must be asked for by name. */
+static int is_common(const char *name) {
+    char extension[BURNISH_EXTENSION_SIZE], word[BURNISH_EXTENSION_SIZE + 2];
+    burnish_lower_extension(name, strlen(name), extension);
+    snprintf(word, sizeof word, " %s ", extension);
+    return strstr(" fbx dae 3ds step stp iges igs blend x3d wrl lwo ", word) != NULL;
+}
+
+/* The format of a file by its name; COUNT: an importer's, if one may be chosen. */
+static int format_of(const char *name, const burnish_load_options *options, int may_import) {
     const burnish_format own = burnish_format_of_name(name);
     const int is_any = options->format == BURNISH_FORMAT_AUTO ||
                        options->format == BURNISH_FORMAT_3MF; /* what an archive seems to be */
     if (own == BURNISH_FORMAT_AUTO) {
-        return is_any && member && options->decoder.decode ? BURNISH_FORMAT_COUNT : 0;
+        return is_any && may_import && options->decoder.decode ? BURNISH_FORMAT_COUNT : 0;
     }
     return is_any || own == options->format ? (int)own : 0;
 }
 
+/* imports: 1: of archives without a model of the library's own formats */
 static choice find_models(const burnish_zip *zip, const burnish_load_options *options,
-                          const char *member) {
+                          const char *member, int imports) {
     choice found = {.files = 0}, others = {.files = 0};
     for (size_t i = 0; i < zip->count; ++i) {
         const part_name name = name_of(&zip->parts[i]);
@@ -74,7 +83,9 @@ static choice find_models(const burnish_zip *zip, const burnish_load_options *op
         }
         others.files += 1;
         list_name(&others, name.text);
-        const int format = is_wanted(name.text, member) ? format_of(name.text, options, member) : 0;
+        const int may_import = member || (imports && is_common(name.text));
+        const int format =
+            is_wanted(name.text, member) ? format_of(name.text, options, may_import) : 0;
         const burnish_archive_vote vote = burnish_archive_take(&found.models, name.text, format);
         if (vote == BURNISH_ARCHIVE_BEST) {
             found.part = &zip->parts[i];
@@ -87,7 +98,7 @@ static choice find_models(const burnish_zip *zip, const burnish_load_options *op
             list_name(&found, name.text);
         }
     }
-    return found.part ? found : others;
+    return found.part ? found : imports || member ? others : find_models(zip, options, member, 1);
 }
 
 /* Fails unless the choice is clear. */
@@ -197,7 +208,7 @@ burnish_status burnish_archive_open(burnish_archive *archive, burnish_reader_inp
     burnish_status status = burnish_zip_open(&archive->zip, &archive->reader);
     if (status == BURNISH_STATUS_OK && !is_3mf(&archive->zip)) {
         const char *member = burnish_archive_member(input->name);
-        const choice found = find_models(&archive->zip, input->options, member);
+        const choice found = find_models(&archive->zip, input->options, member, 0);
         status = check_choice(archive, &found, member);
         if (status == BURNISH_STATUS_OK && found.models.twins > 0) {
             burnish_reader_warn(&archive->reader, NULL,

@@ -75,9 +75,11 @@ static void test_left_out(void) {
         "<vertex x='1' y='0' z='0'/><vertex x='0' y='1' z='0'/><vertex x='one' y='1'/></vertices>"
         "<triangles><triangle v1='0.0' v2='1' v3='2'/><triangle v1='0' v2='1' v3='3'/><triangle "
         "v1='x'/>"
-        "</triangles></mesh></object></resources><build>" ITEM_1 "</build></model>";
+        "</triangles></mesh></object></resources><build><item objectid='1' transform='1 0 0 0 1 0 "
+        "0 "
+        "0 1 0 2,5 0'/></build></model>";
     CHECK_OK(read_3mf(odd), fault);
-    CHECK1(got.triangle_count == 1 && got.warning_count == 2);
+    CHECK1(got.triangle_count == 1 && got.warning_count == 2 && corner_is(0, 0, 0.5, 3.5, 0));
 }
 
 /* Objects that hold the one before twice: 2^n of them, from n lines. */

@@ -216,10 +216,13 @@ burnish_threemf_range burnish_threemf_numbers(burnish_threemf_xml *xml, const ch
     burnish_number_status status;
     double value, *number;
     while (burnish_lexer_word_double(&lexer, &token, &value, &status) &&
-           status == BURNISH_NUMBER_OK &&
+           (status == BURNISH_NUMBER_OK || status == BURNISH_NUMBER_ODD) &&
            (number = BURNISH_THREEMF_APPEND(threemf, &threemf->numbers)) != NULL) {
         *number = value;
         ++range.count;
+        if (status == BURNISH_NUMBER_ODD) {
+            note_odd(xml, token);
+        }
     }
     return range;
 }
