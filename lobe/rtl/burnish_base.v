@@ -3,7 +3,7 @@
 //     t = max(0, 1 - zeta (1 - c)),  2 zeta = FACTOR n / 2^SHIFT
 //
 // in the form of lobe_q15.h: a = (FACTOR n u) >> SHIFT, t = a > 0xFFFF ? 0 : 0xFFFF - a. The units
-// burnish_taylor, burnish_shift7 and burnish_shift3 are this module followed by a burnish_power.
+// burnish_taylor and burnish_shift are this module followed by a burnish_power.
 //
 // Latency    rows: 1 + burnish_product + (FACTOR 1: 1, else burnish_fold)
 //            DSP: 3

@@ -32,13 +32,9 @@ module burnish_lobe #(
                 .USER_WIDTH(USER_WIDTH)) unit (
                 .clk(clk), .enable(enable), .exponent(exponent), .angle(angle), .user_in(user_in),
                 .value(value), .user_out(user_out));
-        end else if (UNIT == 1) begin : shift7
-            burnish_shift7 #(.RESULT(RESULT), .ROUND(ROUND), .LAMBDA(LAMBDA), .ROWS(ROWS),
-                .SEGMENT(SEGMENT), .DSP(DSP), .USER_WIDTH(USER_WIDTH)) unit (
-                .clk(clk), .enable(enable), .exponent(exponent), .angle(angle), .user_in(user_in),
-                .value(value), .user_out(user_out));
-        end else if (UNIT == 2) begin : shift3
-            burnish_shift3 #(.RESULT(RESULT), .ROUND(ROUND), .LAMBDA(LAMBDA), .ROWS(ROWS),
+        end else if (UNIT == 1 || UNIT == 2) begin : multiple
+            burnish_shift #(.FACTOR(UNIT == 1 ? 7 : 3), .SHIFT(UNIT == 1 ? 3 : 2),
+                .RESULT(RESULT), .ROUND(ROUND), .LAMBDA(LAMBDA), .ROWS(ROWS),
                 .SEGMENT(SEGMENT), .DSP(DSP), .USER_WIDTH(USER_WIDTH)) unit (
                 .clk(clk), .enable(enable), .exponent(exponent), .angle(angle), .user_in(user_in),
                 .value(value), .user_out(user_out));

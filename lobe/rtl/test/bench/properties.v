@@ -32,7 +32,7 @@ module property_shift7 (
 );
     wire [15:0] value;
     wire user;
-    burnish_shift7 unit (
+    burnish_shift unit (
         .clk(clk), .enable(1'b1), .exponent(exponent), .angle(angle), .user_in(1'b0),
         .value(value), .user_out(user));
     wire one = angle >= 16'h8000;

@@ -1,6 +1,8 @@
-// burnish_shift3: the lobe of least maximum error for one addition, zeta = 3n/8.
+// burnish_shift: lobes whose slope is a multiple of n by one addition: zeta = FACTOR n / 2^(SHIFT + 1).
+// 7n/16 crosses cos^n at 0.50 (n = 10) to 0.58 of its height (large n); 3n/8 (FACTOR 3, SHIFT 2) has the least
+// maximum error.
 //
-//     S = max(0, 1 - (3n/8) (1 - c))^2
+//     S = max(0, 1 - zeta (1 - c))^2
 //
 // Bit for bit burnish_lobe_q15_fast (ROUND 1: _near; RESULT 8: _fast8) of include/burnish/lobe_q15.h.
 //
@@ -10,7 +12,9 @@
 // SPDX-License-Identifier: MIT
 // Copyright (c) the burnish authors
 `default_nettype none
-module burnish_shift3 #(
+module burnish_shift #(
+    parameter FACTOR = 7, // 7 or 3
+    parameter SHIFT = 3, // 3 or 2
     parameter RESULT = 16, // bits of the value: 16, 12, 10 or 8
     parameter ROUND = 0, // 0: fast; 1: near, half the error for one more adder (RESULT 16)
     parameter LAMBDA = 0, // 0: angle is the cosine; 1: it is 1 - cosine
@@ -31,14 +35,14 @@ module burnish_shift3 #(
     burnish_parameters #(.RESULT(RESULT), .ROUND(ROUND), .LAMBDA(LAMBDA),
         .ROWS(ROWS), .SEGMENT(SEGMENT), .DSP(DSP), .USER_WIDTH(USER_WIDTH)) legal ();
     wire [15:0] t;
-    burnish_base #(.FACTOR(3), .SHIFT(2), .LAMBDA(LAMBDA), .ROWS(ROWS), .SEGMENT(SEGMENT),
+    burnish_base #(.FACTOR(FACTOR), .SHIFT(SHIFT), .LAMBDA(LAMBDA), .ROWS(ROWS), .SEGMENT(SEGMENT),
         .DSP(DSP)) base (
         .clk(clk), .enable(enable), .exponent(exponent), .angle(angle), .t(t));
     burnish_power #(.SQUARINGS(1), .RESULT(RESULT), .ROUND(ROUND), .ROWS(ROWS),
         .SEGMENT(SEGMENT), .DSP(DSP)) power (
         .clk(clk), .enable(enable), .t(t), .value(value));
     burnish_delay #(.WIDTH(USER_WIDTH),
-        .DEPTH(latency_base(3, 2, LAMBDA, ROWS, SEGMENT, DSP) +
+        .DEPTH(latency_base(FACTOR, SHIFT, LAMBDA, ROWS, SEGMENT, DSP) +
             latency_power(1, RESULT, ROWS, SEGMENT, DSP))) user (
         .clk(clk), .enable(enable), .in(user_in), .out(user_out));
 endmodule
