@@ -79,6 +79,9 @@ static burnish_status prepare_normals(burnish_reader *reader, const burnish_clou
         if (options->normals == BURNISH_NORMALS_FILE || !has_gaps(stream)) {
             return burnish_tasks_check(mesh->tasks, reader->error);
         }
+        burnish_reader_warn(reader, NULL,
+                            "more than 1 %% of the normals are 0 or not numbers, so all are "
+                            "estimated; --normals=file keeps them");
     }
     burnish_mesh_data_drop(mesh, BURNISH_NORMAL);
     if (burnish_mesh_data_reserve(mesh, BURNISH_NORMAL, cloud->count) != BURNISH_STATUS_OK) {
