@@ -187,6 +187,7 @@ static light_path find_start(const burnish_ray_light *light, const burnish_kerne
         burnish_vec3_add(burnish_vec3_scale(right, number % 2 ? depth / 4 : -depth / 4),
                          burnish_vec3_scale(up, number / 2 ? depth / 4 : -depth / 4));
     const burnish_vec3 seen = burnish_vec3_add(p, shift);
+    const int is_near = x > -0x1p20 && x < 0x1p20 && y > -0x1p20 && y < 0x1p20; /* else not shown */
     return (light_path){
         .start = burnish_vec3_add(seen, burnish_vec3_loadf(light->eye)),
         .first = light->is_parallel ? burnish_vec3_scale(burnish_vec3_loadf(light->viewer), -1)
@@ -195,7 +196,7 @@ static light_path find_start(const burnish_ray_light *light, const burnish_kerne
                                                         (double)points->normal[1][i],
                                                         (double)points->normal[2][i]}),
         /* pixels' middles are at whole or half numbers */
-        .group = (int)(x + 0x1p20 + 0.25) % 2 + (int)(y + 0x1p20 + 0.25) % 2 * 2};
+        .group = is_near ? (int)(x + 0x1p20 + 0.25) % 2 + (int)(y + 0x1p20 + 0.25) % 2 * 2 : 0};
 }
 
 /* Moves starts to where rays through their quarters meet the surface, if they do near it. */
