@@ -113,6 +113,10 @@ static void find_hits(const burnish_ray_light *light, const burnish_ray_tree *tr
     for (int k = 0; k < 3; ++k) {
         rays->batch.origin[k] = rays->origin[k];
         rays->batch.direction[k] = rays->direction[k];
+        for (size_t i = count; i % 16 != 0; ++i) { /* lanes that are not cast */
+            rays->origin[k][i] = rays->origin[k][0];
+            rays->direction[k][i] = rays->direction[k][0];
+        }
     }
     memset(rays->reach + count, 0, (BURNISH_OCCLUDED_MAX - count) * sizeof *rays->reach);
     light->ops->find_hits(tree, &rays->batch, rays->hits, rays->distance, rays->place);
@@ -259,7 +263,7 @@ void burnish_ray_refract(burnish_ray_tile *tile, const burnish_ray_light *light,
     if (!points->material->has_normals) {
         move_starts(tile, light, paths, count);
     }
-    memset(refracted->has_met, 0, sizeof refracted->has_met);
+    memset(refracted, 0, sizeof *refracted);  /* also lanes beyond the points */
     for (int group = 0; group < 4; ++group) { /* each has a quarter of the patterns */
         met->count = met->has_gloss = 0;
         for (size_t i = 0; i < count; ++i) {
