@@ -91,6 +91,10 @@ static burnish_status work(const void *data, uint64_t *hash, burnish_error *erro
     return status;
 }
 
+/* Colours of 16 vertices, as ZBrush has them. */
+#define PAINT_4 "ff000000ff112233ff445566ff778899"
+#define PAINT_16 PAINT_4 PAINT_4 PAINT_4 PAINT_4
+
 /* A file of each format in the current folder, with as much in it as the format holds. */
 static void write_inputs(void) {
     burnish_image image;
@@ -104,7 +108,8 @@ static void write_inputs(void) {
                                   "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 0\n"
                                   "v .5 .5 1 1 1 1\nvn 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\n"
                                   "f 1/1/1 2/2/1 3/3/1 4/1/1\nusemtl blue\n"
-                                  "f 1 2 5\nf 2 3 5\nusemtl none\nf 3 4 5\nf 4 1 5\nf 1 1 2\n");
+                                  "f 1 2 5\nf 2 3 5\nusemtl none\nf 3 4 5\nf 4 1 5\nf 1 1 2\n"
+                                  "#MRGB " PAINT_16 PAINT_16 PAINT_16 PAINT_16 PAINT_16 "\n");
     test_write_file("memory.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
                                   "property float y\nproperty float z\nproperty uchar red\n"
                                   "property uchar green\nproperty uchar blue\nelement face 4\n"

@@ -458,12 +458,12 @@ static uint8_t take_capitals(obj_parser *obj, burnish_token keyword) {
 static void read_statement(obj_parser *obj) {
     static const char paint[] = "#MRGB ";
     const size_t size = sizeof paint - 1;
+    const uint8_t *start = obj->lexer.next;
     burnish_token keyword;
-    if ((size_t)(obj->lexer.end - obj->lexer.next) > size &&
-        memcmp(obj->lexer.next, paint, size) == 0) {
-        burnish_chunk_note(obj->chunk, BURNISH_OBJ_PAINT, obj->lexer.next + size);
-    }
-    if (!burnish_lexer_token(&obj->lexer, &keyword)) {
+    if (!burnish_lexer_token(&obj->lexer, &keyword)) { /* blank, or a comment */
+        if ((size_t)(obj->lexer.end - start) > size && memcmp(start, paint, size) == 0) {
+            burnish_chunk_note(obj->chunk, BURNISH_OBJ_PAINT, start + size);
+        }
         return;
     }
     const uint8_t small = take_capitals(obj, keyword), first = keyword.bytes[0] | small,
