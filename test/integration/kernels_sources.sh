@@ -13,12 +13,9 @@ kernel_sources() {
     done
 }
 
-# renderer_sources SOURCE_DIR: those of the kernels are among them
+# renderer_sources SOURCE_DIR: those of the kernels are among them. An archive of them gives a link what it asks for alone.
 renderer_sources() {
-    find "$1/src/simd" "$1/src/raster" "$1/src/shading" "$1/src/environment" "$1/src/rays" -name '*.c' ! -name '*_isa.c'
-    for file in surface area area_near attributes bounces caps finishes transmission masks occlusion_share ray_cast ray_light render_ops texture_levels texture_points texture_reduce texture_shade; do
-        find "$1/src/render" -name "$file.c"
-    done
+    find "$1/src/simd" "$1/src/raster" "$1/src/shading" "$1/src/environment" "$1/src/rays" "$1/src/render" -name '*.c' ! -name '*_isa.c'
     echo "$1"/src/mesh/data/*.c
     echo "$1"/lobe/spec/*.c
     for file in processors srgb tasks pool; do
