@@ -137,8 +137,9 @@ typedef struct burnish_render_options {
     float ambient_light[3]; /* Ia, linear */
     int occlusion; /* directions of ambient occlusion, [0, BURNISH_OCCLUSION_MAX]; 0: no occlusion;
                       or BURNISH_OCCLUSION_AUTO. An odd number is rounded up */
-    float occlusion_strength; /* [0, 1]: what a point from which a light is hidden loses of it. What
-                                 surfaces around it reflect, by their colour, is added */
+    float occlusion_strength; /* [0, 1]: what a point from which a light is hidden loses of it; by
+                                 raytracing all. What surfaces around it reflect, by their colour,
+                                 is added */
     int raytracing; /* 1: rays find what is hidden for occlusion, shadow and ground, instead of depth
                        maps, which stay for points, what bounces, and what smooth surfaces mirror
                        of others. Takes 75 bytes per triangle, 175 while it starts */

@@ -11,7 +11,7 @@ enum { SIZE = 400 };
 #define WINDOW_Z 0.6
 #define WINDOW_HALF 0.4
 
-enum { AMBIENT, DOME, SHADOW, WINDOW_LEFT, WINDOW_RIGHT };
+enum { AMBIENT, DOME, SHADOW, WINDOW_LEFT, WINDOW_RIGHT, LAMP /* as the last, without shadow */ };
 
 /* 1: by rays. */
 static int raytracing;
@@ -31,7 +31,7 @@ static float *draw(const burnish_mesh *mesh, const double direction[3], int occl
     options.width = options.height = SIZE;
     options.samples = 1;
     options.light_count = light == SHADOW;
-    options.shadow = light == SHADOW || (light > SHADOW && occlusion > 0);
+    options.shadow = light == SHADOW || (light > SHADOW && light < LAMP && occlusion > 0);
     options.lights[0] = (burnish_light){.vector = {0.4, 0.2, 1}, .color = {1, 1, 1}};
     options.area_light_count = light >= WINDOW_LEFT;
     options.area_lights[0] = (burnish_area_light){.is_distant = 1,
@@ -274,20 +274,25 @@ static void test_shadowed_light(void) {
     burnish_mesh_destroy(mesh);
 }
 
-/* A floor that mirrors all light, and a wall that reflects none, in light that is 1 from everywhere. Seen
- * along (-0.8, 0, -1), what is up to 0.8 from the wall's foot mirrors it, and is black. */
+/* A floor that mirrors all light, and a wall that reflects as much. */
+static burnish_mesh *make_mirrors(float of_wall) {
+    burnish_material materials[2] = {burnish_material_default(), burnish_material_default()};
+    for (int i = 0; i < 2; ++i) {
+        set_three(materials[i].diffuse, i ? of_wall : 1);
+        set_three(materials[i].ambient, i ? of_wall : 1);
+        materials[i].has_diffuse = 1;
+        materials[i].is_metallic = !i || of_wall > 0;
+        materials[i].metallic = (float)materials[i].is_metallic;
+    }
+    return make_wall(materials);
+}
+
+/* A mirror, and a black wall, in light that is 1 from everywhere. Seen along (-0.8, 0, -1), what is up to
+ * 0.8 from the wall's foot mirrors it, and is black. */
 static void test_mirror(void) {
     static const double along[] = {-0.8, 0, -1};
-    burnish_material materials[2] = {burnish_material_default(), burnish_material_default()};
     int first = SIZE, last = 0;
-    for (int i = 0; i < 2; ++i) {
-        set_three(materials[i].diffuse, (float)!i);
-        set_three(materials[i].ambient, (float)!i);
-        materials[i].has_diffuse = 1;
-        materials[i].is_metallic = !i;
-        materials[i].metallic = (float)!i;
-    }
-    burnish_mesh *mesh = make_wall(materials);
+    burnish_mesh *mesh = make_mirrors(0);
     float *light = draw(mesh, along, 1, DOME);
     const float *row = light + 4 * SIZE * (SIZE / 2);
     for (int i = 0; i < SIZE; ++i) {
@@ -301,6 +306,30 @@ static void test_mirror(void) {
     CHECK(fabs(last - expected) < 2, "a wall is mirrored up to %d, not %g", last, expected);
     free(light);
     burnish_mesh_destroy(mesh);
+}
+
+/* Two mirrors. Seen along (-0.8, 0, -0.6), the floor shows the wall, where the window is that the floor
+ * alone does not show. */
+static void test_mirrors(void) {
+    static const double along[] = {-WINDOW_X, 0, -WINDOW_Z};
+    burnish_mesh *black = make_mirrors(0), *bright = make_mirrors(1);
+    float *wall = draw(black, along, 1, DOME), *window = draw(bright, along, 1, LAMP);
+    int edge = 0, first = SIZE;
+    for (int i = 0; i < SIZE; ++i) {
+        const int at = 4 * (SIZE / 2 * SIZE + i);
+        edge = wall[at] < 0.5f ? i : edge; /* of the wall's image */
+        first = window[at] < 0.5f && i < first ? i : first;
+    }
+    for (int i = 0; i < SIZE; ++i) {
+        const double seen = (double)window[4 * (SIZE / 2 * SIZE + i)];
+        CHECK(seen < 0.02 || fabs(seen - 1) < 0.02 || abs(i - edge) < 3, "pixel %d: %g", i, seen);
+    }
+    CHECK(abs(first - edge - 1) < 3 && edge > 0, "a window is mirrored twice up to %d, not %d",
+          first, edge);
+    free(wall);
+    free(window);
+    burnish_mesh_destroy(black);
+    burnish_mesh_destroy(bright);
 }
 
 /* Whatever its colour, no matt surface is cut off, and a fully lit white one is between `low` and
@@ -351,5 +380,6 @@ int main(int count, char **arguments) {
     }
     RUN(test_shadowed_light());
     RUN(test_mirror());
+    RUN(test_mirrors());
     return test_end("occlusion");
 }

@@ -43,21 +43,26 @@ void burnish_occlude_batch(const burnish_shading *shading, const burnish_fragmen
     }
 }
 
+/* What a material reflects of light that comes over other surfaces. By rays, metals mirror theirs. */
+static const float *bounced_albedo(const burnish_shading *shading, size_t material) {
+    return shading->ray_light && shading->area
+               ? shading->area->materials[material].reflecting.diffuse
+               : shading->shaders[material].albedo;
+}
+
 void burnish_add_bounces(const burnish_shading *shading, const burnish_kernels_points *points,
                          int count, int material, float (*open)[BURNISH_SHADE_BATCH],
                          const burnish_texture_scratch *textures, float *const rgb[3]) {
     const burnish_textured_material *textured =
         shading->texturing ? &shading->texturing->materials[material] : NULL;
     const int is_varied = textured && textured->is_special && textured->is_varied;
+    const int are_mirrored = shading->ray_light && shading->area; /* by metals */
     const float *factor[3];
     float albedo[3];
     for (int k = 0; k < 3; ++k) {
-        albedo[k] = is_varied ? 1 : shading->shaders[material].albedo[k];
-        if (shading->ray_light && shading->area && !is_varied) { /* metals mirror the rest */
-            albedo[k] = shading->area->materials[material].reflecting.diffuse[k];
-        }
+        albedo[k] = is_varied ? 1 : bounced_albedo(shading, (size_t)material)[k];
         factor[k] = textured && textured->is_special ? textures->diffuse[k] : points->diffuse[k];
-        if (is_varied && burnish_has_roughness(&textured->material)) {
+        if (is_varied && burnish_has_roughness(&textured->material) && !are_mirrored) {
             factor[k] = textures->ambient[k];
         }
     }
@@ -70,7 +75,7 @@ void burnish_add_bounces_mixed(const burnish_shading *shading, const burnish_fra
     const float *const albedo[3] = {scratch->albedo[0], scratch->albedo[1], scratch->albedo[2]};
     for (int i = 0; i < batch->count; ++i) {
         for (int k = 0; k < 3; ++k) {
-            scratch->albedo[k][i] = shading->shaders[batch->material[i]].albedo[k];
+            scratch->albedo[k][i] = bounced_albedo(shading, batch->material[i])[k];
         }
     }
     shading->ops->add_bounces(shading->occlusion, white, albedo, scratch->share.open,

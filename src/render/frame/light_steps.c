@@ -196,7 +196,7 @@ static void find_sky(const burnish_call *d, burnish_ray_light *light) {
     enum { COUNT = BURNISH_RAY_LIGHT_EDGE * BURNISH_RAY_LIGHT_EDGE };
     _Static_assert((int)COUNT <= (int)BURNISH_OCCLUSION_MAX, "the table fits");
     burnish_render_options sky = *d->options;
-    float w[3][COUNT], *const all = light->all_light, mean = 0;
+    float w[3][COUNT], all[COUNT], mean = 0;
     for (int i = 0; i < COUNT; ++i) {
         const burnish_vec3 toward = burnish_ray_light_direction(i);
         w[0][i] = (float)toward.x;
@@ -209,10 +209,12 @@ static void find_sky(const burnish_call *d, burnish_ray_light *light) {
         mean += all[i] / COUNT;
     }
     sky.area_light_count = 0;
-    find_radiance(d, &sky, directions, COUNT, light->light);
+    find_radiance(d, &sky, directions, COUNT, light->sky);
+    light->sky_mean = 0;
     for (int i = 0; i < COUNT; ++i) {
         const float least = mean > 0 ? LEAST_LIGHT * mean : 1;
-        light->light[i] = light->light[i] > least ? light->light[i] : least;
+        light->light[i] = light->sky[i] > least ? light->sky[i] : least;
+        light->sky_mean += light->sky[i] / COUNT;
     }
 }
 
@@ -253,6 +255,7 @@ static void find_lamps(const burnish_call *d, burnish_ray_light *light) {
         light->key = numbers[i] == area->key ? i : light->key;
         burnish_ray_light_add(light, &lamps[i]);
     }
+    light->mirrored_lamps = count;
     if (has_first_shadow(d)) {
         burnish_area_light sun = {
             .shape = BURNISH_AREA_DISC, .is_distant = 1, .is_two_sided = 1, .color = {1, 1, 1}};
@@ -277,7 +280,7 @@ static burnish_status update_rays(burnish_call *d) {
         return BURNISH_STATUS_OK;
     }
     set_space(d, light);
-    light->strength = d->options->occlusion_strength;
+    light->strength = 1; /* light that bounces is found */
     light->has_sky = d->options->occlusion != 0;
     burnish_ray_light_prepare(light);
     if (light->has_sky) {

@@ -9,13 +9,17 @@
 /* Shares of a lamp that are hidden from neighbouring pixels differ by less, except at a sharp edge. */
 #define LEAST_STEP 0.15f
 
+/* Alpha of surfaces whose mirrored rays all go the same way. */
+#define LEAST_GLOSS 0x1p-10f
+
 /* Patterns of rays where one is not enough. */
 enum { MORE_PATTERNS = 4 };
 
 /* Longer than the way from the camera through the mesh. */
 #define FAR 1e6f
 
-/* Of the mean light, what surfaces get that cast no rays, and reflect as those to which they send it. */
+/* Of the mean light, what surfaces get that cast no rays, and reflect as those to which they send it;
+ * metals see no lamps there. */
 #define LAST_LIGHT 0.6f
 
 /* Metals reflect more along their normal; smoother surfaces mirror others, whatever they reflect. */
@@ -294,8 +298,10 @@ static void cast_sky(burnish_ray_tile *tile, burnish_gathered_points *points,
     ops->sample_sky(light, &cast, sample, 1, &tile->rays, sums);
     if (bounce == BURNISH_RAY_BOUNCES) {
         for (size_t i = 0; i < 3 * points->count; ++i) {
+            const int is_glossy = points->values[BURNISH_RAY_GLOSS][i / 3] >= 0;
             points->light[i % 3][i / 3] +=
-                tile->rays.hits[i / 3] * points->albedo[i % 3][i / 3] * (LAST_LIGHT * light->mean);
+                tile->rays.hits[i / 3] * points->albedo[i % 3][i / 3] *
+                (LAST_LIGHT * (is_glossy ? light->sky_mean : light->mean));
         }
         return;
     }
@@ -370,20 +376,33 @@ static void store_sums(burnish_ray_tile *tile, const burnish_gathered_points *po
     tile->sums[burnish_ray_sums(lamp) + 1][points->from[i]] = scale * points->sums[2][i];
 }
 
-/* Whether the rays of a pixel to a lamp do not agree, with one another or with those of its neighbours
- * on the same surface. */
+/* What a pixel's mirrored rays bring. */
+static float mirrored_light(const burnish_ray_tile *tile, int at) {
+    const float(*const sent)[BURNISH_RAY_PIXELS] = tile->sums + BURNISH_RAY_SENT;
+    return sent[0][at] + sent[1][at] + sent[2][at];
+}
+
+/* Whether the rays of a pixel to a lamp, or mirrored ones, do not agree, with one another or with those of
+ * its neighbours on the same surface. */
 static int is_mixed(const burnish_ray_tile *tile, int at, int sums) {
     const float share = burnish_ray_share(tile, at, sums);
     const int x = at % BURNISH_RAY_EDGE, y = at / BURNISH_RAY_EDGE;
-    int is_mixed = share > 0 && (share < 1 || tile->cut[at] >> (sums - BURNISH_RAY_LAMPS) / 2 & 1);
+    const int is_mirrored = sums == BURNISH_RAY_GLOSSY;
+    int is_mixed =
+        share > 0 &&
+        (share < 1 || (!is_mirrored && tile->cut[at] >> (sums - BURNISH_RAY_LAMPS) / 2 & 1));
     for (int i = 0; i < 4 && !is_mixed; ++i) {
         const int column = x + i % 2 * (i - 2), row = y + (1 - i % 2) * (i - 1);
         const int beside = row * BURNISH_RAY_EDGE + column;
         if (column < 0 || row < 0 || column >= BURNISH_RAY_EDGE || row >= BURNISH_RAY_EDGE ||
-            tile->rank[beside] == 0) {
+            tile->rank[beside] == 0 || (is_mirrored && tile->gloss[beside] < 0)) {
             continue;
         }
-        const float step = burnish_ray_share(tile, beside, sums) - share;
+        float step = burnish_ray_share(tile, beside, sums) - share;
+        if (is_mirrored && step == 0 && share > 0) {
+            const float own = mirrored_light(tile, at), other = mirrored_light(tile, beside);
+            step = own + other > 0 ? (own - other) / (own + other) : 0;
+        }
         float cosine = 0;
         for (int k = 0; k < 3; ++k) {
             cosine += tile->normal[k][at] * tile->normal[k][beside];
@@ -405,18 +424,23 @@ static int lamp_pattern(int pixel) {
     return x / 2 + y / 2 * 2 + x % 2 * 4 + y % 2 * 8;
 }
 
-enum { ALL = -2, GLOSSY, BATCHES = 2 /* of a pixel of all blocks, with those in the margin */ };
+enum {
+    ALL = -2,
+    GLOSSY,
+    MIXED_GLOSSY = BURNISH_RAY_LAMPS_MAX,
+    BATCHES = 2 /* of a pixel of all blocks, with those in the margin */
+};
 
 /* Brings pixel `pixel` of all blocks together, in squares: their rays stay together. The last of 17 in a
  * row or column are a batch of their own.
- *   which  ALL, GLOSSY or a lamp: those where its rays are mixed */
+ *   which  ALL, GLOSSY, or a lamp or MIXED_GLOSSY: those where such rays are mixed */
 static void gather_pixels(burnish_ray_tile *tile, const burnish_ray_light *light, int pixel,
                           int batch, int which) {
     enum { BLOCKS = BURNISH_TILE_BLOCKS * BURNISH_TILE_BLOCKS, SIDE = BURNISH_TILE_BLOCKS };
     _Static_assert((int)BLOCKS <= (int)BURNISH_OCCLUDED_MAX, "a pixel of all blocks is a batch");
     burnish_gathered_points *points = &tile->points;
     points->count = 0;
-    points->has_gloss = which == GLOSSY;
+    points->has_gloss = which == GLOSSY || which == MIXED_GLOSSY;
     for (int block = 0; block < (batch ? 2 * SIDE + 1 : BLOCKS); ++block) {
         const int column = !batch ? even_bits(block) : block < SIDE ? SIDE : block - SIDE;
         const int row = !batch ? even_bits(block >> 1) : block < SIDE ? block : SIDE;
@@ -435,28 +459,29 @@ static void gather_pixels(burnish_ray_tile *tile, const burnish_ray_light *light
             points->values[BURNISH_RAY_BACK + k][to] =
                 light->is_parallel ? light->viewer[k] : -tile->position[k][at];
         }
-        points->values[BURNISH_RAY_GLOSS][to] = which == GLOSSY ? tile->gloss[at] : -1;
+        points->values[BURNISH_RAY_GLOSS][to] = points->has_gloss ? tile->gloss[at] : -1;
         points->from[points->count++] = (uint16_t)at;
     }
 }
 
-/* Casts the mirrored rays of a pattern's glossy pixels. */
+/* Casts the mirrored rays of the pixels that are together. */
 static void cast_mirrored(burnish_ray_tile *tile, const burnish_ray_light *light,
-                          const burnish_render_ops *ops, int pixel, int batch) {
+                          const burnish_render_ops *ops, int pattern, int patterns) {
     burnish_gathered_points *points = &tile->points;
-    gather_pixels(tile, light, pixel, batch, GLOSSY);
+    const int count = patterns * BURNISH_RAY_SAMPLES;
+    const float part = 1.0f / (float)patterns;
     if (points->count > 0) {
-        cast_skies(tile, points, light, ops, pixel * BURNISH_RAY_SAMPLES, BURNISH_RAY_SAMPLES);
+        cast_skies(tile, points, light, ops, pattern / patterns * patterns * BURNISH_RAY_SAMPLES,
+                   count);
     }
     for (size_t i = 0; i < points->count; ++i) {
         const size_t at = points->from[i];
-        tile->sums[BURNISH_RAY_MET][at] = points->sums[0][i];
+        tile->sums[BURNISH_RAY_MET][at] = part * points->sums[0][i];
         tile->sums[BURNISH_RAY_GLOSSY][at] = BURNISH_RAY_SAMPLES;
-        tile->sums[BURNISH_RAY_SENT][at] = tile->sums[BURNISH_RAY_SENT + 1][at] = 0;
         for (int k = 0; k < 3; ++k) {
-            tile->sums[BURNISH_RAY_MIRRORED + k][at] = points->met[k][i];
-            tile->sums[BURNISH_RAY_SENT][at] += points->light[k][i];
-            tile->sums[BURNISH_RAY_SENT + 1][at] += points->met[k][i];
+            tile->sums[BURNISH_RAY_MIRRORED + k][at] = part * points->met[k][i];
+            tile->sums[BURNISH_RAY_SENT + k][at] = part * points->light[k][i];
+            tile->sums[BURNISH_RAY_SENT + 3 + k][at] = part * points->met[k][i];
         }
     }
 }
@@ -481,7 +506,8 @@ static void cast_pixels(burnish_ray_tile *tile, const burnish_ray_light *light,
                         const burnish_render_ops *ops, int pixel, int batch) {
     burnish_gathered_points *points = &tile->points;
     if (light->has_sky) {
-        cast_mirrored(tile, light, ops, pixel, batch);
+        gather_pixels(tile, light, pixel, batch, GLOSSY);
+        cast_mirrored(tile, light, ops, pixel, 1);
     }
     gather_pixels(tile, light, pixel, batch, ALL);
     if (light->has_sky) {
@@ -514,11 +540,16 @@ void burnish_ray_tile_cast(burnish_ray_tile *tile, const burnish_ray_light *ligh
         for (int lamp = 0; lamp < light->lamp_count && tile->rank[at] > 0; ++lamp) {
             tile->mixed[at] |= (uint16_t)(is_mixed(tile, at, burnish_ray_sums(lamp)) << lamp);
         }
+        if (light->has_sky && tile->rank[at] > 0 && tile->gloss[at] > LEAST_GLOSS) {
+            tile->mixed[at] |= (uint16_t)(is_mixed(tile, at, BURNISH_RAY_GLOSSY) << MIXED_GLOSSY);
+        }
     }
     for (int i = 0; i < BURNISH_BLOCK_PIXELS * BATCHES; ++i) {
         for (int lamp = 0; lamp < light->lamp_count; ++lamp) {
             gather_pixels(tile, light, i / BATCHES, i % BATCHES, lamp);
             cast_to_lamp(tile, light, ops, lamp, lamp_pattern(i / BATCHES), MORE_PATTERNS);
         }
+        gather_pixels(tile, light, i / BATCHES, i % BATCHES, MIXED_GLOSSY);
+        cast_mirrored(tile, light, ops, lamp_pattern(i / BATCHES), MORE_PATTERNS);
     }
 }

@@ -176,13 +176,13 @@ static void set_seen(const burnish_ray_light *light, const float sums[BURNISH_RA
     scratch->open[0][i] = all > 0 ? 1 - light->strength * (hidden / all) : 1;
     const float glossy = sums[BURNISH_RAY_GLOSSY], *sent = sums + BURNISH_RAY_SENT;
     const float part = glossy > 0 ? light->strength / glossy : 0;
-    const float mirrored = sent[1] > 0 ? part * (sent[0] / sent[1]) : 0;
     /* what is mirrored is multiplied by what is seen of light from everywhere */
     const float open =
         scratch->open[BURNISH_SEEN_LIGHT][i] > LEAST_SEEN ? scratch->open[0][i] : LEAST_SEEN;
     scratch->open[BURNISH_SEEN_CLEAR][i] =
         glossy > 0 ? (1 - part * sums[BURNISH_RAY_MET]) / open : 1;
     for (int k = 0; k < 3; ++k) {
+        const float mirrored = sent[3 + k] > 0 ? part * (sent[k] / sent[3 + k]) : 0;
         scratch->open[BURNISH_SEEN_MIRRORED + k][i] =
             mirrored * light->tint[k] * sums[BURNISH_RAY_MIRRORED + k] / open;
         scratch->open[BURNISH_SEEN_BOUNCED + k][i] =

@@ -55,19 +55,21 @@ typedef struct burnish_ray_light {
     int has_sky;            /* 0: only shadows of lamps are wanted */
     float strength;         /* [0, 1]: what a point that sees no sky loses of its light */
     float mean, tint[3];    /* luminance and colour of the light on white that is seen */
+    float sky_mean;         /* luminance of the light from all directions without lamps */
     /* across, across and along a normal: evenly by cosine, all of them, a pattern's, and those of the
      * first patterns */
     float directions[BURNISH_RAY_DIRECTIONS_MAX][3];
     /* GGX's normals: across, for alpha 1, where they are 1 along */
     float lobe[BURNISH_RAY_DIRECTIONS_MAX][2];
-    /* what arrives from directions without lamps, and with them: rows of an octahedron that is folded
-     * out, whose corners are at those of the table */
+    /* what arrives from directions without lamps, and its weights in what is hidden, nowhere 0: rows of
+     * an octahedron that is folded out, whose corners are at those of the table */
+    float sky[BURNISH_RAY_LIGHT_EDGE * BURNISH_RAY_LIGHT_EDGE];
     float light[BURNISH_RAY_LIGHT_EDGE * BURNISH_RAY_LIGHT_EDGE];
-    float all_light[BURNISH_RAY_LIGHT_EDGE * BURNISH_RAY_LIGHT_EDGE];
     /* where rays meet lamps: evenly over a square and a disc, in its half sides */
     float places[2][BURNISH_RAY_DIRECTIONS_MAX][2];
     burnish_ray_lamp lamps[BURNISH_AREA_LIGHT_MAX + 1 /* and a directional one */];
     int lamp_count, key; /* the lamp whose shadow is kept apart, or -1 */
+    int mirrored_lamps;  /* so many of the first are seen in metals */
 } burnish_ray_light;
 
 /* Direction i of the table of light, a unit vector. */
@@ -105,15 +107,15 @@ typedef struct burnish_gathered_points {
     int has_gloss; /* 0: all are matt */
 } burnish_gathered_points;
 
-/* What rays of a point found. Mirrored: the albedos of what they met, how many met any, and how many there
- * are, then what is sent and the albedos once more, of all colours. Light that comes over other surfaces,
- * in the mean light's colour. Of the sky and of each lamp, all light, and what is hidden of it. */
+/* What rays of a point found. Mirrored: the albedos of what they met, how many there are, and how many met any
+ * are, then what is sent and the albedos once more. Light that comes over other surfaces, in the mean
+ * light's colour. Of the sky and of each lamp, all light, and what is hidden of it. */
 enum {
     BURNISH_RAY_MIRRORED,
-    BURNISH_RAY_MET = 3,
-    BURNISH_RAY_GLOSSY,
+    BURNISH_RAY_GLOSSY = 3,
+    BURNISH_RAY_MET,
     BURNISH_RAY_SENT,
-    BURNISH_RAY_BOUNCED = BURNISH_RAY_SENT + 2,
+    BURNISH_RAY_BOUNCED = BURNISH_RAY_SENT + 6,
     BURNISH_RAY_SKY = BURNISH_RAY_BOUNCED + 3,
     BURNISH_RAY_LAMPS = BURNISH_RAY_SKY + 2,
     BURNISH_RAY_LAMPS_MAX = BURNISH_AREA_LIGHT_MAX + 1, /* and a directional one */
@@ -125,10 +127,11 @@ typedef struct burnish_ray_tile {
     float position[3][BURNISH_RAY_PIXELS], normal[3][BURNISH_RAY_PIXELS];
     float face[3][BURNISH_RAY_PIXELS];
     float sums[BURNISH_RAY_SUMS][BURNISH_RAY_PIXELS];
-    float gloss[BURNISH_RAY_PIXELS];    /* alpha of GGX by which it mirrors; below 0: it does not */
-    uint16_t rank[BURNISH_RAY_PIXELS];  /* of the point that stands for the pixel; 0: none */
-    uint16_t cut[BURNISH_RAY_PIXELS];   /* bit i: some rays to lamp i are not in its light */
-    uint16_t mixed[BURNISH_RAY_PIXELS]; /* bit i: rays to lamp i did not agree; there are more */
+    float gloss[BURNISH_RAY_PIXELS];   /* alpha of GGX by which it mirrors; below 0: it does not */
+    uint16_t rank[BURNISH_RAY_PIXELS]; /* of the point that stands for the pixel; 0: none */
+    uint16_t cut[BURNISH_RAY_PIXELS];  /* bit i: some rays to lamp i are not in its light */
+    /* bit i: rays to lamp i did not agree, or, for BURNISH_RAY_LAMPS_MAX, mirrored ones; there are more */
+    uint16_t mixed[BURNISH_RAY_PIXELS];
     burnish_gathered_points points, met[BURNISH_RAY_BOUNCES]; /* scratch */
     burnish_started_rays rays;
 } burnish_ray_tile;
@@ -141,7 +144,7 @@ static inline int burnish_ray_sums(int lamp) {
     return BURNISH_RAY_LAMPS + 2 * lamp;
 }
 
-/* The share of a lamp that is hidden from a pixel. */
+/* The share of a lamp that is hidden from a pixel, or of what it mirrors that is the object. */
 static inline float burnish_ray_share(const burnish_ray_tile *tile, int at, int sums) {
     return tile->sums[sums][at] > 0 ? tile->sums[sums + 1][at] / tile->sums[sums][at] : 0;
 }

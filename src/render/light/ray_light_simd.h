@@ -9,6 +9,12 @@
 /* Longer than the mesh is wide, from anywhere near it. */
 #define RAY_REACH 64.0f
 
+/* Half the side of a square as large as a disc. */
+#define ROUND_EDGE 0.8862269f
+
+/* Half the width of what a surface mirrors, for alpha 1 one unit away. */
+#define SPREAD 2.6f
+
 /* A table's light from a direction, bilinear. */
 BURNISH_INLINE vf light_from(const float *table, const vf d[3]) {
     enum { EDGE = BURNISH_RAY_LIGHT_EDGE };
@@ -92,62 +98,6 @@ static void add_rays(const burnish_ray_light *light, burnish_started_rays *rays,
     }
 }
 
-/* Turns the directions of glossy points, and their light: mirrored at one of GGX's normals. */
-BURNISH_INLINE void mirror_rays(const burnish_ray_light *light, const burnish_ray_points *points,
-                                size_t i, const float lobe[2], const vf n[3], vf d[3],
-                                vf *arriving) {
-    const vf alpha = vf_load(points->gloss + i), zero = vf_set(0.0f);
-    const vm is_matt = vf_greater(zero, alpha);
-    vf across[2][3], back[3], h[3], mirrored[3];
-    find_across(n, across[0], across[1]);
-    for (int k = 0; k < 3; ++k) {
-        const vf side =
-            vf_add(vf_mul(across[0][k], vf_set(lobe[0])), vf_mul(across[1][k], vf_set(lobe[1])));
-        back[k] = vf_load(points->back[k] + i); /* of any length */
-        h[k] = vf_add(n[k], vf_mul(alpha, side));
-    }
-    const vf squared = vf_max(ray_dot(h, h), vf_set(0x1p-40f));
-    const vf twice = vf_div(vf_mul(vf_set(2.0f), ray_dot(back, h)), squared);
-    for (int k = 0; k < 3; ++k) {
-        mirrored[k] = vf_sub(vf_mul(twice, h[k]), back[k]);
-    }
-    const vf unit = vector_inverse_sqrt(vf_max(ray_dot(mirrored, mirrored), vf_set(0x1p-40f)));
-    for (int k = 0; k < 3; ++k) {
-        mirrored[k] = vf_mul(mirrored[k], unit);
-        d[k] = vf_blend(is_matt, d[k], mirrored[k]);
-    }
-    *arriving = vf_blend(is_matt, *arriving, light_from(light->all_light, mirrored));
-}
-
-static void sample_sky(const burnish_ray_light *light, const burnish_ray_points *points, int first,
-                       int count, burnish_started_rays *met, float *const sums[3]) {
-    burnish_started_rays own, *const rays = met ? met : &own;
-    start_rays(light, points, rays, sums);
-    for (int sample = first; sample < first + count; ++sample) {
-        const float *const local = light->directions[sample];
-        for (size_t i = 0; i < points->count; i += LANES) {
-            vf n[3], across[2][3], d[3], squared = vf_set(0.0f);
-            for (int k = 0; k < 3; ++k) {
-                n[k] = vf_load(points->normal[k] + i);
-                squared = vf_add(squared, vf_mul(n[k], n[k]));
-            }
-            find_across(n, across[0], across[1]);
-            for (int k = 0; k < 3; ++k) {
-                d[k] = vf_add(vf_add(vf_mul(across[0][k], vf_set(local[0])),
-                                     vf_mul(across[1][k], vf_set(local[1]))),
-                              vf_mul(n[k], vf_set(local[2])));
-            }
-            const vm has_normal = vf_greater(squared, vf_set(0.5f)); /* without: open */
-            vf arriving = light_from(light->light, d);
-            if (points->gloss) {
-                mirror_rays(light, points, i, light->lobe[sample], n, d, &arriving);
-            }
-            set_rays(points, i, d, arriving, vf_and_mask(has_normal, vf_set(RAY_REACH)), rays);
-        }
-        add_rays(light, rays, 0, met != NULL, sums);
-    }
-}
-
 /* ---- Lamps ---- */
 
 BURNISH_INLINE void cross_vectors(const vf a[3], const vf b[3], vf out[3]) {
@@ -186,6 +136,116 @@ BURNISH_INLINE void find_sides(const burnish_ray_lamp *lamp, const vf toward[3],
         for (int k = 0; k < 3; ++k) {
             side[1][k] = vf_mul(side[1][k], scale);
         }
+    }
+}
+
+/* Lamps' light that arrives along d, spread by a surface of this alpha that mirrors it: a square around
+ * where d meets a lamp's plane, of which a part is the lamp's. */
+BURNISH_INLINE vf lamps_from(const burnish_ray_light *light, const vf origin[3], const vf d[3],
+                             vf alpha) {
+    const vf zero = vf_set(0.0f), tiny = vf_set(0x1p-40f);
+    vf sum = zero;
+    for (int number = 0; number < light->mirrored_lamps; ++number) {
+        const burnish_ray_lamp *lamp = &light->lamps[number];
+        const int is_round = lamp->shape == BURNISH_AREA_DISC || lamp->shape == BURNISH_AREA_SPHERE;
+        const vf edge = vf_set(is_round ? ROUND_EDGE : 1);
+        vf w[3], side[2][3], normal[3], q[3], product[3], share = vf_set(is_round ? 1 : 0.785398f);
+        for (int k = 0; k < 3; ++k) {
+            w[k] = vf_set(lamp->center[k]);
+            w[k] = lamp->is_distant ? w[k] : vf_sub(w[k], origin[k]);
+        }
+        find_sides(lamp, w, side);
+        cross_vectors(side[0], side[1], normal);
+        const vf facing = vf_sub(zero, ray_dot(normal, d)),
+                 ahead = vf_sub(zero, ray_dot(normal, w));
+        const vf one_side = lamp->is_two_sided ? vf_mul(facing, facing) : facing;
+        const vm is_seen =
+            vm_and(vf_greater(one_side, zero), vf_greater(vf_mul(ahead, facing), tiny));
+        const vf way = vf_div(ahead, vf_blend(is_seen, facing, vf_set(1.0f)));
+        for (int k = 0; k < 3; ++k) {
+            q[k] = vf_sub(vf_mul(d[k], way), w[k]);
+        }
+        const vf area = vf_div(vf_set(1.0f), vf_max(ray_dot(normal, normal), tiny));
+        for (int axis = 0; axis < 2; ++axis) {
+            const vf *const other = side[1 - axis];
+            cross_vectors(axis ? other : q, axis ? q : other, product);
+            const vf at = vf_mul(ray_dot(product, normal), area);
+            const vf unit = vector_inverse_sqrt(vf_max(ray_dot(side[axis], side[axis]), tiny));
+            const vf wide =
+                vf_add(vf_mul(vf_mul(vf_mul(alpha, vf_set(SPREAD)), way), unit), vf_set(0x1p-6f));
+            const vf from = vf_max(vf_sub(at, wide), vf_sub(zero, edge));
+            const vf inside = vf_max(vf_sub(vf_min(vf_add(at, wide), edge), from), zero);
+            share = vf_mul(share, vf_div(inside, vf_add(wide, wide)));
+        }
+        sum = vf_add(sum, vf_and_mask(is_seen, vf_mul(share, vf_set(lamp->strength))));
+    }
+    return sum;
+}
+
+/* Turns the directions of glossy points, and their light: mirrored at one of GGX's normals. */
+BURNISH_INLINE void mirror_rays(const burnish_ray_light *light, const burnish_ray_points *points,
+                                size_t i, const float lobe[2], const vf n[3], const vf origin[3],
+                                vf d[3], vf *arriving) {
+    const vf alpha = vf_load(points->gloss + i), zero = vf_set(0.0f);
+    const vm is_matt = vf_greater(zero, alpha);
+    vf across[2][3], back[3], h[3], mirrored[3], straight[3];
+    find_across(n, across[0], across[1]);
+    for (int k = 0; k < 3; ++k) {
+        const vf side =
+            vf_add(vf_mul(across[0][k], vf_set(lobe[0])), vf_mul(across[1][k], vf_set(lobe[1])));
+        back[k] = vf_load(points->back[k] + i); /* of any length */
+        h[k] = vf_add(n[k], vf_mul(alpha, side));
+    }
+    const vf squared = vf_max(ray_dot(h, h), vf_set(0x1p-40f));
+    const vf twice = vf_div(vf_mul(vf_set(2.0f), ray_dot(back, h)), squared);
+    for (int k = 0; k < 3; ++k) {
+        mirrored[k] = vf_sub(vf_mul(twice, h[k]), back[k]);
+    }
+    const vf unit = vector_inverse_sqrt(vf_max(ray_dot(mirrored, mirrored), vf_set(0x1p-40f)));
+    for (int k = 0; k < 3; ++k) {
+        mirrored[k] = vf_mul(mirrored[k], unit);
+        d[k] = vf_blend(is_matt, d[k], mirrored[k]);
+    }
+    const vf along = vf_mul(vf_set(2.0f), ray_dot(back, n));
+    for (int k = 0; k < 3; ++k) {
+        straight[k] = vf_sub(vf_mul(along, n[k]), back[k]);
+    }
+    const vf light_along = vf_add(light_from(light->sky, mirrored),
+                                  lamps_from(light, origin, straight, vf_max(alpha, zero)));
+    /* what is dark is mirrored, too */
+    *arriving = vf_blend(is_matt, *arriving, vf_max(light_along, vf_set(0x1p-30f)));
+}
+
+static void sample_sky(const burnish_ray_light *light, const burnish_ray_points *points, int first,
+                       int count, burnish_started_rays *met, float *const sums[3]) {
+    burnish_started_rays own, *const rays = met ? met : &own;
+    start_rays(light, points, rays, sums);
+    for (int sample = first; sample < first + count; ++sample) {
+        const float *const local = light->directions[sample];
+        for (size_t i = 0; i < points->count; i += LANES) {
+            vf n[3], across[2][3], d[3], squared = vf_set(0.0f);
+            for (int k = 0; k < 3; ++k) {
+                n[k] = vf_load(points->normal[k] + i);
+                squared = vf_add(squared, vf_mul(n[k], n[k]));
+            }
+            find_across(n, across[0], across[1]);
+            for (int k = 0; k < 3; ++k) {
+                d[k] = vf_add(vf_add(vf_mul(across[0][k], vf_set(local[0])),
+                                     vf_mul(across[1][k], vf_set(local[1]))),
+                              vf_mul(n[k], vf_set(local[2])));
+            }
+            const vm has_normal = vf_greater(squared, vf_set(0.5f)); /* without: open */
+            vf arriving = light_from(light->light, d);
+            if (points->gloss) {
+                vf origin[3];
+                for (int k = 0; k < 3; ++k) {
+                    origin[k] = vf_load(rays->origin[k] + i);
+                }
+                mirror_rays(light, points, i, light->lobe[sample], n, origin, d, &arriving);
+            }
+            set_rays(points, i, d, arriving, vf_and_mask(has_normal, vf_set(RAY_REACH)), rays);
+        }
+        add_rays(light, rays, 0, met != NULL, sums);
     }
 }
 
