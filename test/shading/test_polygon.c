@@ -65,8 +65,8 @@ static void reference(const burnish_kernels_polygon *polygon, const place *at, d
         whole += lobe.coefficients[i] * 2 * M_PI / (lobe.zeta * (i + 1));
     }
     /* negative if the light turns its back to the point */
-    light[0] = burnish_theory_polygon(1, 1, normal, NULL, of, count, NULL) / M_PI;
-    light[1] = burnish_theory_polygon_polynomial(&lobe, axis, normal, of, count, NULL) / whole;
+    light[0] = burnish_theory_polygon(1, 1, normal, NULL, of, count) / M_PI;
+    light[1] = burnish_theory_polygon_polynomial(&lobe, axis, normal, of, count) / whole;
     for (int i = 0; i < 2; ++i) {
         light[i] = polygon->is_two_sided ? fabs(light[i]) : fmax(0, light[i]);
     }

@@ -319,49 +319,12 @@ BURNISH_THEORY_API double burnish_theory_cap(const burnish_theory_powers *lobe,
                                              const double axis[3], const double *normal,
                                              const double centre[3], double angle);
 
-/* A thin cylinder: the integral along a segment of S sin(psi) / distance^2, psi being the angle
- * between the segment and the view of its points. The cylinder's brightness is this times its
- * diameter. Error below 1e-12 of S(1) times the lobe's angle of zero, divided by the distance of
- * the line, unless both ends are far from the foot of the perpendicular.
- *   ends  two points, seen from the origin; 0 if they are in one direction */
-BURNISH_THEORY_API double burnish_theory_segment(const burnish_theory_powers *lobe,
-                                                 const double axis[3], const double *normal,
-                                                 const double ends[2][3]);
-
-/* The integral of the product of two lobes around different axes, as for an environment made of
- * lobes. Error below 1e-12 of the smaller lobe, times the peak of the other. */
-BURNISH_THEORY_API double burnish_theory_product(const burnish_theory_powers *a,
-                                                 const double axis_a[3],
-                                                 const burnish_theory_powers *b,
-                                                 const double axis_b[3], const double *normal);
-
-/* The light that a lobe around the mirror direction reflects at this incidence: the integral of
- * S(R.w) N.w over the hemisphere around N, N.R being the cosine. Relative error below 1e-12. The
- * albedo of a surface is this times the lobe's factor, such as burnish_theory_phong_factor().
- *   lobe    degree [0, 39]
- *   cosine  [0, 1]; where it is at least the sine of the lobe's angle of zero, the integral is the
- *           cosine times its value at 1 */
-BURNISH_THEORY_API double burnish_theory_albedo(const burnish_theory_powers *lobe, double cosine);
-
 /* ---- The light of a polygon ----
  *
  * A polygon of radiance 1, reflected by a lobe around the mirror direction r. docs/theory.md has
- * the derivation, and the error of each evaluation. */
+ * the derivation. */
 
-typedef enum burnish_theory_polygon_method {
-    BURNISH_THEORY_POLYGON_CLOSED, /* an arctangent per edge; error 1e-16 (2 zeta - 1)^order */
-    BURNISH_THEORY_POLYGON_GAUSS,  /* Gauss-Legendre on the arc inside the lobe; zeta >= 1 */
-    BURNISH_THEORY_POLYGON_NARROW /* the lobe exactly, the factor 1/((1 + c) cos(t/2)) of the sphere
-                                    * by a polynomial; zeta >= 1. The float kernels use 4 terms */
-} burnish_theory_polygon_method;
-
-enum { BURNISH_THEORY_POLYGON_ORDER_MAX = 32, BURNISH_THEORY_POLYGON_NARROW_MAX = 8 };
-
-/* How the edges are evaluated. */
-typedef struct burnish_theory_polygon_rule {
-    burnish_theory_polygon_method method;
-    int terms; /* GAUSS: nodes per arc, [1, 64]; NARROW: points of the polynomial, [1, 8] */
-} burnish_theory_polygon_rule;
+enum { BURNISH_THEORY_POLYGON_ORDER_MAX = 32 };
 
 /* The integral over the polygon of max(0, 1 + zeta (r.w - 1))^order d omega, in steradians.
  * Positive if the vertices turn counter-clockwise as seen from the origin, negative if clockwise; a
@@ -374,19 +337,17 @@ typedef struct burnish_theory_polygon_rule {
  *   normal    cuts the polygon off at the horizon of this vector; NULL: not cut
  *   vertices  count points, seen from the origin
  *   count     fewer than 3 give 0
- *   rule      NULL: the best, with an error below 1e-12 of the whole lobe, 2 pi/(zeta (order + 1)),
- *             for zeta in [1/2, 65536]
+ * The error is below 1e-12 of the whole lobe, 2 pi/(zeta (order + 1)), for zeta in [1/2, 65536].
  * Returns NaN for numbers out of range or not finite, and for a vector of length 0. */
 BURNISH_THEORY_API double burnish_theory_polygon(int order, double zeta, const double axis[3],
                                                  const double *normal, const double (*vertices)[3],
-                                                 int count,
-                                                 const burnish_theory_polygon_rule *rule);
+                                                 int count);
 
 /* The same for a polynomial lobe. */
-BURNISH_THEORY_API double
-burnish_theory_polygon_polynomial(const burnish_theory_powers *lobe, const double axis[3],
-                                  const double *normal, const double (*vertices)[3], int count,
-                                  const burnish_theory_polygon_rule *rule);
+BURNISH_THEORY_API double burnish_theory_polygon_polynomial(const burnish_theory_powers *lobe,
+                                                            const double axis[3],
+                                                            const double *normal,
+                                                            const double (*vertices)[3], int count);
 
 /* ---- Sums of lobes for rough surfaces ----
  *

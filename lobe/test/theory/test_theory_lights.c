@@ -1,12 +1,10 @@
-/* burnish/theory.h: caps, segments and products of lobes, against quadrature in long double over
- * rings around the axis, and along the segment. */
+/* burnish/theory.h: the light of caps, against quadrature in long double over rings around the axis. */
 #include <math.h>
 
 #include "burnish/theory.h"
 #include "support.h"
 
 #define PI 3.14159265358979323846264338327950288L
-#define VECTOR(v) ((const double(*)[3])(v))
 static const double zetas[] = {0.3, 0.5, 0.51, 0.6, 0.8, 1, 1.02, 1.5, 3, 10, 100, 1e4, 65536};
 enum { ZETAS = sizeof zetas / sizeof *zetas, CAPS = 2, BREAKS = 24 };
 static uint64_t random_state;
@@ -112,39 +110,25 @@ static real support(double zeta) {
 
 /* Caps at angles from the axis of a lobe; the second one is at an azimuth from the first. */
 typedef struct {
-    const burnish_theory_powers *lobe, *other; /* other: around the first cap, or NULL */
+    const burnish_theory_powers *lobe;
     real away[CAPS], radius[CAPS], azimuth;
-    real ring; /* the angle of the ring that is being integrated */
     int count;
 } rings;
 
-static real around_ring(real phi, const void *context) {
-    const rings *r = context;
-    real near = sinl((r->away[0] - r->ring) / 2), turn = sinl(phi / 2);
-    return value(r->other, 2 * (near * near + sinl(r->away[0]) * sinl(r->ring) * turn * turn));
-}
-
-/* The ring from low to high azimuth, or its length. */
-static real piece(const rings *r, real low, real high) {
-    real breaks[4] = {low, (2 * low + high) / 3, (low + 2 * high) / 3, high};
-    return low >= high ? 0 : r->other ? integrate(around_ring, r, breaks, 4) : high - low;
-}
-
 static real ring(real x, const void *context) {
-    rings r = *(const rings *)context;
+    const rings *r = context;
     real half[CAPS] = {PI, PI}, sum = 0;
-    r.ring = x;
-    for (int i = 0; i < r.count; ++i) { /* the angle opposite to the radius */
-        real a = r.radius[i], b = r.away[i];
+    for (int i = 0; i < r->count; ++i) { /* the angle opposite to the radius */
+        real a = r->radius[i], b = r->away[i];
         real above = sinl((a + b - x) / 2) * sinl((a - b + x) / 2);
         real below = sinl((a + b + x) / 2) * sinl((b + x - a) / 2);
         half[i] = 2 * atan2l(sqrtl(fmaxl(above, 0)), sqrtl(fmaxl(below, 0)));
     }
     for (int turn = -1; turn <= 1; ++turn) {
-        real at = r.azimuth + turn * 2 * PI;
-        sum += piece(&r, fmaxl(-half[0], at - half[1]), fminl(half[0], at + half[1]));
+        real at = r->azimuth + turn * 2 * PI;
+        sum += fmaxl(0, fminl(half[0], at + half[1]) - fmaxl(-half[0], at - half[1]));
     }
-    return sinl(x) * value(r.lobe, 2 * sinl(x / 2) * sinl(x / 2)) * sum;
+    return sinl(x) * value(r->lobe, 2 * sinl(x / 2) * sinl(x / 2)) * sum;
 }
 
 /* The angles from the axis to the points that two circles share. */
@@ -164,10 +148,10 @@ static int corners(const real axis[3], real (*centres)[3], const real *radius, r
     return rest > 0 ? 2 : 0;
 }
 
-/* The lobe, times `other` around the first cap, over the common part of caps. */
-static double by_rings(const burnish_theory_powers *lobe, const burnish_theory_powers *other,
-                       const double axis[3], const double *const *centres, const double *radius) {
-    rings r = {.lobe = lobe, .other = other};
+/* The lobe over the common part of caps. */
+static double by_rings(const burnish_theory_powers *lobe, const double axis[3],
+                       const double *const *centres, const double *radius) {
+    rings r = {.lobe = lobe};
     real z[3], c[CAPS][3], aside[3], breaks[BREAKS] = {0, support(lobe->zeta)};
     int count = 2;
     unit(axis, z);
@@ -219,7 +203,7 @@ static void check_caps(void) {
         random_beside(centre, (double)PI / 2 + angle[0] * uniform(-1.2, 1.2), normal);
         const double *caps[CAPS] = {centre, i % 3 ? NULL : normal};
         double got = burnish_theory_cap(&lobe, axis, caps[1], centre, angle[0]);
-        double expected = by_rings(&lobe, NULL, axis, caps, angle);
+        double expected = by_rings(&lobe, axis, caps, angle);
         double error = fabs(got - expected) / (within ? expected : whole(&lobe));
         worst[within] = fmax(worst[within], error);
         CHECK(error < 1e-12, "case %d, degree %d, zeta %g: %.15g, not %.15g: %.2g", i, lobe.degree,
@@ -229,146 +213,9 @@ static void check_caps(void) {
            worst[1]);
 }
 
-/* ---- Segments ---- */
-
-typedef struct {
-    const burnish_theory_powers *lobe;
-    real p, q, distance; /* cosines from the axis to the foot and to the direction of the line */
-} line;
-
-/* S sin(psi) / D^2 dl, by the angle from the foot, the point nearest to the origin. */
-static real seen(real angle, const void *context) {
-    const line *l = context;
-    return value(l->lobe, 1 - l->p * cosl(angle) - l->q * sinl(angle)) * cosl(angle) / l->distance;
-}
-
-/* Also sets the distance of the line. */
-static double by_angles(const burnish_theory_powers *lobe, const double axis[3],
-                        const double *normal, const double ends[2][3], double *distance) {
-    real a[3], b[3], along[3], foot[3], at[2], r[3], n[3], breaks[9];
-    line l = {.lobe = lobe};
-    unit(axis, r);
-    for (int i = 0; i < 3; ++i) {
-        a[i] = ends[0][i];
-        b[i] = ends[1][i];
-        along[i] = b[i] - a[i];
-    }
-    real length = sqrtl(dot(along, along));
-    at[0] = dot(a, along) / length;
-    at[1] = dot(b, along) / length;
-    for (int i = 0; i < 3; ++i) {
-        foot[i] = a[i] - at[0] * along[i] / length;
-    }
-    *distance = (double)(l.distance = sqrtl(dot(foot, foot)));
-    l.p = dot(r, foot) / l.distance;
-    l.q = dot(r, along) / length;
-    if (normal) { /* the height above the horizon is linear along the line */
-        unit(normal, n);
-        real rise = dot(n, along) / length, meets = -dot(n, foot) / rise;
-        at[rise < 0] = rise < 0 ? fminl(at[1], meets) : fmaxl(at[0], meets);
-    }
-    real low = breaks[0] = atan2l(at[0], l.distance), high = breaks[1] = atan2l(at[1], l.distance);
-    real rim = (1 - 1 / (real)lobe->zeta) / sqrtl(l.p * l.p + l.q * l.q);
-    int count = 3;
-    breaks[2] = (low + high) / 2;
-    for (int i = 0; i < 6 && fabsl(rim) < 1; ++i) {
-        real t = atan2l(l.q, l.p) + (i & 1 ? 1 : -1) * acosl(rim) + (i / 2 - 1) * 2 * PI;
-        breaks[count] = t;
-        count += t > low && t < high;
-    }
-    return at[0] < at[1] ? (double)integrate(seen, &l, breaks, count) : 0;
-}
-
-/* A segment that starts at a point near the lobe, or runs through it. If both ends are far away,
- * the line's place at the point rests on few of their digits. */
-static void random_ends(const double axis[3], double zeta, double ends[2][3]) {
-    double point[3], along[3], size = spread(1e-3, 1e3);
-    double before = uniform(0, 1) < 0.5 ? uniform(0, 1) : 0;
-    double length = spread(1e-6, before > 0 ? 10 : 1e3);
-    random_beside(axis, uniform(0, 1.2) * (double)support(zeta), point);
-    random_direction(along);
-    for (int i = 0; i < 3; ++i) {
-        ends[0][i] = size * (point[i] - before * length * along[i]);
-        ends[1][i] = ends[0][i] + size * length * along[i];
-    }
-}
-
-static void check_segments(void) {
-    double worst = 0;
-    random_state = test_seed(2);
-    for (int i = 0; i < 2000; ++i) {
-        double axis[3], normal[3], ends[2][3], distance;
-        burnish_theory_powers lobe = random_lobe(zetas[i % ZETAS]);
-        random_direction(axis);
-        random_ends(axis, lobe.zeta, ends);
-        random_beside(axis, uniform(0, (double)PI / 2 + 0.5), normal);
-        const double *horizon = i % 3 ? NULL : normal;
-        double got = burnish_theory_segment(&lobe, axis, horizon, VECTOR(ends));
-        double expected = by_angles(&lobe, axis, horizon, VECTOR(ends), &distance);
-        double error =
-            fabs(got - expected) * distance / (double)(value(&lobe, 0) * support(lobe.zeta));
-        worst = fmax(worst, error);
-        CHECK(error < 1e-12, "case %d, degree %d, zeta %g: %.15g, not %.15g: %.2g", i, lobe.degree,
-              lobe.zeta, got, expected, error);
-    }
-    printf("segments: largest error %.2g of the lobe's peak and width\n", worst);
-}
-
-/* ---- Products ---- */
-
-static void check_products(void) {
-    double worst = 0;
-    random_state = test_seed(3);
-    for (int i = 0; i < 150; ++i) {
-        double axis[2][3], normal[3], radius[CAPS] = {0, (double)PI / 2};
-        burnish_theory_powers a = random_lobe(zetas[i % ZETAS]);
-        burnish_theory_powers b = random_lobe(zetas[(int)uniform(0, ZETAS)]);
-        double reach = (double)(support(a.zeta) + support(b.zeta));
-        radius[0] = (double)support(b.zeta);
-        random_direction(axis[0]);
-        random_beside(axis[0], fmin((double)PI, uniform(0, 1.1) * reach), axis[1]);
-        random_beside(axis[i % 2], uniform(0, 2.2), normal);
-        const double *caps[CAPS] = {axis[1], i % 3 ? NULL : normal};
-        double got = burnish_theory_product(&a, axis[0], &b, axis[1], caps[1]);
-        double expected = by_rings(&a, &b, axis[0], caps, radius);
-        double error = fabs(got - expected) /
-                       fmin(whole(&a) * (double)value(&b, 0), whole(&b) * (double)value(&a, 0));
-        worst = fmax(worst, error);
-        CHECK(error < 1e-12, "case %d, degrees %d %d, zetas %g %g: %.15g, not %.15g: %.2g", i,
-              a.degree, b.degree, a.zeta, b.zeta, got, expected, error);
-    }
-    printf("products: largest error %.2g of the smaller lobe\n", worst);
-}
-
-/* ---- Albedo ---- */
-
-static void check_albedo(void) {
-    const burnish_theory_powers weight = burnish_theory_powers_of_order(1, 1);
-    const double radius[CAPS] = {(double)PI / 2, 0}, normal[3] = {0, 0, 1};
-    const double *caps[CAPS] = {normal, NULL};
-    double worst = 0;
-    random_state = test_seed(5);
-    for (int i = 0; i < 250; ++i) {
-        burnish_theory_powers lobe = random_lobe(zetas[i % ZETAS]);
-        double height =
-            (double)support(lobe.zeta) * uniform(0, 1.2) * (i % 5 ? 1 : spread(1e-9, 1));
-        double cosine = sin(fmin(height, (double)PI / 2));
-        double axis[3] = {sqrt((1 - cosine) * (1 + cosine)), 0, cosine};
-        double got = burnish_theory_albedo(&lobe, cosine);
-        double error = fabs(got / by_rings(&lobe, &weight, axis, caps, radius) - 1);
-        worst = fmax(worst, error);
-        CHECK(error < 1e-12, "case %d, degree %d, zeta %g, cosine %g: %.15g: %.2g", i, lobe.degree,
-              lobe.zeta, cosine, got, error);
-        double above = burnish_theory_albedo(&lobe, 1) * cosine;
-        CHECK(lobe.zeta < 1 || height < (double)support(lobe.zeta) || fabs(got / above - 1) < 1e-12,
-              "case %d: %.15g, not %.15g", i, got, above);
-    }
-    printf("albedo: largest relative error %.2g\n", worst);
-}
-
 static void check_bad_input(void) {
     const burnish_theory_powers good = burnish_theory_powers_of_order(2, 1);
-    const double z[3] = {0, 0, 1}, ends[2][3] = {{1, 0, 0}, {2, 0, 0}};
+    const double z[3] = {0, 0, 1};
     const double vectors[3][3] = {{0, 0, 0}, {NAN, 0, 1}, {INFINITY, 0, 0}};
     burnish_theory_powers lobes[5] = {{.zeta = 0}, {.zeta = NAN}, {1, -1, {0}}};
     lobes[3] = burnish_theory_powers_of_order(BURNISH_THEORY_POWERS_MAX + 1, 1);
@@ -376,29 +223,18 @@ static void check_bad_input(void) {
     lobes[4].coefficients[1] = INFINITY;
     for (int i = 0; i < 5; ++i) {
         CHECK1(isnan(burnish_theory_cap(&lobes[i], z, NULL, z, 1)));
-        CHECK1(isnan(burnish_theory_segment(&lobes[i], z, NULL, ends)));
-        CHECK1(isnan(burnish_theory_product(&good, z, &lobes[i], z, NULL)));
-        CHECK1(isnan(burnish_theory_albedo(&lobes[i], 0.5)));
     }
     for (int i = 0; i < 3; ++i) {
-        double bad_ends[2][3] = {{1, 0, 0}, {vectors[i][0], vectors[i][1], vectors[i][2]}};
         CHECK1(isnan(burnish_theory_cap(&good, vectors[i], NULL, z, 1)));
         CHECK1(isnan(burnish_theory_cap(&good, z, vectors[i], z, 1)));
         CHECK1(isnan(burnish_theory_cap(&good, z, NULL, z, vectors[i][0] - 1)));
-        CHECK1(isnan(burnish_theory_segment(&good, z, NULL, VECTOR(bad_ends))));
-        CHECK1(isnan(burnish_theory_product(&good, z, &good, vectors[i], NULL)));
-        CHECK1(isnan(burnish_theory_albedo(&good, vectors[i][0] - 1)));
     }
-    CHECK1(burnish_theory_segment(&good, z, NULL, ends) == 0); /* end-on */
     CHECK1(burnish_theory_cap(&good, z, NULL, z, 0) == 0);
 }
 
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(check_caps());
-    RUN(check_segments());
-    RUN(check_products());
-    RUN(check_albedo());
     RUN(check_bad_input());
     return test_end("theory_lights");
 }

@@ -18,8 +18,7 @@ static double whole(int order, double zeta) {
 }
 
 static double light(int order, double zeta, const double axis[3], double (*corners)[3], int count) {
-    return burnish_theory_polygon(order, zeta, axis, NULL, (const double(*)[3])corners, count,
-                                  NULL);
+    return burnish_theory_polygon(order, zeta, axis, NULL, (const double(*)[3])corners, count);
 }
 
 static long double dot(const double a[3], const double b[3]) {
@@ -258,8 +257,7 @@ static void rotate(double (*vectors)[3], int count, double angle) {
 
 static double clipped(int order, double zeta, const double axis[3], const double normal[3],
                       double (*corners)[3], int count) {
-    return burnish_theory_polygon(order, zeta, axis, normal, (const double(*)[3])corners, count,
-                                  NULL);
+    return burnish_theory_polygon(order, zeta, axis, normal, (const double(*)[3])corners, count);
 }
 
 static void check_identities(void) {
@@ -305,45 +303,7 @@ static void check_identities(void) {
     }
 }
 
-/* ---- The evaluations ---- */
-
-/* Largest errors, of the whole lobe, of the evaluations. */
-static void check_rules(void) {
-    static const struct {
-        burnish_theory_polygon_rule rule;
-        int order;
-        double zeta, bound;
-    } rows[] = {
-        {{BURNISH_THEORY_POLYGON_CLOSED, 0}, 32, 0.5, 1e-13},
-        {{BURNISH_THEORY_POLYGON_CLOSED, 0}, 32, 1, 1e-13},
-        {{BURNISH_THEORY_POLYGON_CLOSED, 0}, 2, 1.5, 1e-13},
-        {{BURNISH_THEORY_POLYGON_GAUSS, 10}, 2, 1, 1e-6},
-        {{BURNISH_THEORY_POLYGON_GAUSS, 10}, 8, 65536, 1e-6},
-        {{BURNISH_THEORY_POLYGON_NARROW, 4}, 2, 1, 5e-4},
-        {{BURNISH_THEORY_POLYGON_NARROW, 4}, 8, 1, 1.3e-3},
-        {{BURNISH_THEORY_POLYGON_NARROW, 4}, 32, 1, 3e-3},
-        {{BURNISH_THEORY_POLYGON_NARROW, 4}, 8, 3, 6e-6},
-        {{BURNISH_THEORY_POLYGON_NARROW, 4}, 8, 100, 1e-11},
-        {{BURNISH_THEORY_POLYGON_NARROW, 8}, 32, 1, 1e-6},
-    };
-    double corners[CORNERS_MAX][3], axis[3];
-    random_state = test_seed(6);
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
-        double worst = 0, all = whole(rows[i].order, rows[i].zeta);
-        for (int k = 0; k < 500; ++k) {
-            int count = random_polygon(corners);
-            random_axis(corners, count, rows[i].zeta, axis);
-            double value =
-                burnish_theory_polygon(rows[i].order, rows[i].zeta, axis, NULL,
-                                       (const double(*)[3])corners, count, &rows[i].rule);
-            double best = light(rows[i].order, rows[i].zeta, axis, corners, count);
-            worst = fmax(worst, fabs(value - best) / all);
-        }
-        CHECK(worst < rows[i].bound, "row %zu: %.2g, not %.2g", i, worst, rows[i].bound);
-    }
-}
-
-/* Twice one power and three times another are a polynomial, by every evaluation. */
+/* Twice one power and three times another are a polynomial. */
 static void check_polynomials(void) {
     double corners[CORNERS_MAX][3], axis[3];
     random_state = test_seed(7);
@@ -351,17 +311,13 @@ static void check_polynomials(void) {
         int count = random_polygon(corners), order = 1 + i % 23;
         double zeta = zetas[i % ZETAS];
         const double(*c)[3] = (const double(*)[3])corners;
-        burnish_theory_polygon_rule rule = {zeta > 1 ? BURNISH_THEORY_POLYGON_NARROW
-                                                     : BURNISH_THEORY_POLYGON_CLOSED,
-                                            6},
-                                    *use = i % 2 ? &rule : NULL;
         burnish_theory_powers lobe = burnish_theory_powers_of_order(order + 9, zeta);
         random_axis(corners, count, zeta, axis);
         lobe.coefficients[order] = 2;
         lobe.coefficients[order + 9] = 3;
-        double sum = 2 * burnish_theory_polygon(order, zeta, axis, NULL, c, count, use) +
-                     3 * burnish_theory_polygon(order + 9, zeta, axis, NULL, c, count, use);
-        double value = burnish_theory_polygon_polynomial(&lobe, axis, NULL, c, count, use);
+        double sum = 2 * burnish_theory_polygon(order, zeta, axis, NULL, c, count) +
+                     3 * burnish_theory_polygon(order + 9, zeta, axis, NULL, c, count);
+        double value = burnish_theory_polygon_polynomial(&lobe, axis, NULL, c, count);
         NEAR(value, sum, whole(order, zeta));
     }
 }
@@ -379,13 +335,6 @@ static void check_bad_input(void) {
         CHECK1(isnan(light(2, 1, bad[i], good, 3)) && isnan(light(2, 1, axis, corners, 3)));
         CHECK1(isnan(clipped(2, 1, axis, bad[i], good, 3)));
     }
-    burnish_theory_polygon_rule rules[] = {{BURNISH_THEORY_POLYGON_GAUSS, 0},
-                                           {BURNISH_THEORY_POLYGON_GAUSS, 65},
-                                           {BURNISH_THEORY_POLYGON_NARROW, 9}};
-    for (int i = 0; i < 3; ++i) {
-        CHECK1(isnan(
-            burnish_theory_polygon(2, 1, axis, NULL, (const double(*)[3])good, 3, &rules[i])));
-    }
     double line[3][3] = {{1, 0, 0}, {1, 1, 0}, {1, 2, 0}}, huge[3][3];
     CHECK1(fabs(light(2, 1, axis, line, 3)) < 1e-15);
     for (int i = 0; i < 9; ++i) {
@@ -399,7 +348,6 @@ int main(int count, char **arguments) {
     RUN(check_quadrature());
     RUN(check_shapes());
     RUN(check_identities());
-    RUN(check_rules());
     RUN(check_polynomials());
     RUN(check_bad_input());
     return test_end("theory_polygon");

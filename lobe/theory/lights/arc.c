@@ -1,4 +1,4 @@
-/* Polynomial lobes on great circles, and the three evaluations of the part of an arc inside. */
+/* Polynomial lobes on great circles, and two evaluations of the part of an arc inside. */
 #include "theory/lights/arc.h"
 
 #include <math.h>
@@ -48,19 +48,17 @@ double burnish_polynomial_integral(const burnish_theory_powers *lobe) {
     return sum;
 }
 
-void burnish_arc_prepare(burnish_arc_rule *rule, const burnish_theory_powers *lobe,
-                         burnish_theory_polygon_rule method) {
+void burnish_arc_prepare(burnish_arc_rule *rule, const burnish_theory_powers *lobe, int nodes) {
     double tail = 0;
     rule->degree = lobe->degree;
     rule->zeta = lobe->zeta;
     rule->cutoff = 1 - 1 / lobe->zeta;
-    rule->method = method.method;
-    rule->terms = method.terms;
+    rule->gauss.count = 0;
     for (int i = lobe->degree; i >= 0; --i) {
         rule->tails[i] = tail += lobe->coefficients[i] * (lobe->degree + 1) / (i + 1);
     }
-    if (method.method == BURNISH_THEORY_POLYGON_GAUSS) {
-        burnish_theory_gauss(method.terms, &rule->gauss);
+    if (nodes > 0) {
+        burnish_theory_gauss(nodes, &rule->gauss);
     }
 }
 
@@ -89,7 +87,7 @@ burnish_arc_circle burnish_arc_circle_around(double zeta, const double axis[3],
 static double gauss(const burnish_arc_rule *rule, const burnish_arc_circle *circle, double t0,
                     double t1) {
     double middle = 0.5 * (t0 + t1), half = 0.5 * (t1 - t0), sum = 0;
-    for (int i = 0; i < rule->terms; ++i) {
+    for (int i = 0; i < rule->gauss.count; ++i) {
         double t = middle + half * rule->gauss.nodes[i], s = sin(0.5 * t);
         double u = circle->base - 2 * rule->zeta * circle->k * s * s;
         sum +=
@@ -130,60 +128,7 @@ static double closed(const burnish_arc_rule *rule, const burnish_arc_circle *cir
     return (circle->d * sum + 2 * remainder * swept) / (degree + 1);
 }
 
-/* The polynomial through n points, by divided differences, as coefficients of powers. */
-static void interpolate(const double *x, double *f, int n, double *powers) {
-    for (int j = 1; j < n; ++j) {
-        for (int i = n - 1; i >= j; --i) {
-            f[i] = (f[i] - f[i - 1]) / (x[i] - x[i - j]);
-        }
-    }
-    for (int i = n - 1; i >= 0; --i) {
-        for (int j = n - 1; j > 0; --j) {
-            powers[j] = powers[j - 1] - x[i] * powers[j];
-        }
-        powers[0] = f[i] - x[i] * powers[0];
-    }
-}
-
-/* With eta = sin(t / 2) / sin(limit / 2) and w = 1 - eta^2, u is base times w. What is left,
- * f = 1 / ((1 + c) cos(t / 2)), varies slowly: a polynomial in w approximates it. The integrals of
- * w^i have a recurrence without cancellation: (2 i + 1) J_i = eta w^i + 2 i J_(i-1). */
-static double narrow(const burnish_arc_rule *rule, const burnish_arc_circle *circle, double t0,
-                     double t1) {
-    enum { TERMS = BURNISH_THEORY_POLYGON_NARROW_MAX };
-    double x[TERMS], f[TERMS], powers[TERMS] = {0}, h[DEGREE_MAX + TERMS] = {0};
-    double rim = sin(0.5 * circle->limit), base = 1, carry = 0, sums[2] = {0, 0};
-    double eta[2] = {sin(0.5 * t0) / rim, sin(0.5 * t1) / rim};
-    int n = rule->terms, degree = rule->degree;
-    for (int i = 0; i < n; ++i) {
-        x[i] = 0.5 - 0.5 * cos(BURNISH_PI * (i + 0.5) / n);
-        double s = rim * rim * (1 - x[i]);
-        f[i] = 1 / ((1 + circle->k * (1 - 2 * s)) * sqrt(1 - s));
-    }
-    interpolate(x, f, n, powers);
-    for (int i = 0; i <= degree; ++i, base *= circle->base) {
-        for (int j = 0; j < n; ++j) {
-            h[i + j] += powers[j] * base * rule->tails[i];
-        }
-    }
-    for (int i = degree + n - 1; i >= 0; --i) {
-        carry = h[i] + carry * (2 * i + 2) / (2 * i + 3);
-        for (int end = 0; end < 2; ++end) {
-            sums[end] = sums[end] * (1 - eta[end] * eta[end]) + carry / (2 * i + 1);
-        }
-    }
-    return 2 * circle->d * rim * (eta[1] * sums[1] - eta[0] * sums[0]) / (degree + 1);
-}
-
 double burnish_arc_inside(const burnish_arc_rule *rule, const burnish_arc_circle *circle, double t0,
                           double t1) {
-    switch (rule->method) {
-    case BURNISH_THEORY_POLYGON_CLOSED:
-        return closed(rule, circle, t0, t1);
-    case BURNISH_THEORY_POLYGON_NARROW:
-        return narrow(rule, circle, t0, t1);
-    case BURNISH_THEORY_POLYGON_GAUSS:
-        break;
-    }
-    return gauss(rule, circle, t0, t1);
+    return rule->gauss.count == 0 ? closed(rule, circle, t0, t1) : gauss(rule, circle, t0, t1);
 }

@@ -14,9 +14,7 @@ typedef struct burnish_arc_rule {
     /* Those of T(u) (degree + 1), T being the integral of S from u to 1 divided by 1 - u. A power
      * has ones. */
     double tails[BURNISH_THEORY_POWERS_MAX + 1];
-    burnish_theory_polygon_method method;
-    int terms;
-    burnish_theory_nodes gauss;
+    burnish_theory_nodes gauss; /* none: the closed form */
 } burnish_arc_rule;
 
 /* A great circle; d > 0 if r is on its left. */
@@ -39,9 +37,8 @@ double burnish_polynomial_value(const burnish_theory_powers *lobe, double u);
 /* The integral of S over c in [-1, 1]. */
 double burnish_polynomial_integral(const burnish_theory_powers *lobe);
 
-/* Fills the tails, and the nodes if the method has any. */
-void burnish_arc_prepare(burnish_arc_rule *rule, const burnish_theory_powers *lobe,
-                         burnish_theory_polygon_rule method);
+/* Fills the tails and so many nodes; 0 for the closed form. */
+void burnish_arc_prepare(burnish_arc_rule *rule, const burnish_theory_powers *lobe, int nodes);
 
 /* (degree + 1) T(u). */
 double burnish_arc_tail(const burnish_arc_rule *rule, double u);

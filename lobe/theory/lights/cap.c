@@ -45,14 +45,14 @@ static double around(const burnish_region *region, const void *context) {
 double burnish_theory_cap(const burnish_theory_powers *lobe, const double axis[3],
                           const double *normal, const double centre[3], double angle) {
     burnish_region_cap caps[BURNISH_REGION_CAPS];
-    burnish_product product = {.count = 1, .lobe = {lobe}};
+    burnish_lobe_around placed = {.powers = lobe};
     int count = 0;
     if (!burnish_lights_are_valid(lobe, axis, normal, centre) ||
         !(angle >= 0 && angle <= BURNISH_PI)) {
         return NAN;
     }
-    vector_normalize(axis, product.axis[0]);
-    count += burnish_region_support(lobe->zeta, product.axis[0], caps);
+    vector_normalize(axis, placed.axis);
+    count += burnish_region_support(lobe->zeta, placed.axis, caps);
     vector_normalize(centre, caps[count].centre);
     caps[count++].angle = angle;
     if (normal) {
@@ -61,10 +61,9 @@ double burnish_theory_cap(const burnish_theory_powers *lobe, const double axis[3
     }
     /* A small cap is a small difference of its contour's halves: its relative error would grow. */
     if (lobe->zeta < 1 || angle * angle * lobe->zeta < 0.01) {
-        return burnish_region_sum(caps, count, product.axis[0], burnish_product_within, &product);
+        return burnish_region_sum(caps, count, placed.axis, burnish_lobe_within, &placed);
     }
     burnish_arc_rule rule;
-    burnish_theory_polygon_rule gauss = {BURNISH_THEORY_POLYGON_GAUSS, 24 + lobe->degree / 2};
-    burnish_arc_prepare(&rule, lobe, gauss);
-    return burnish_region_sum(caps, count, product.axis[0], around, &rule);
+    burnish_arc_prepare(&rule, lobe, 24 + lobe->degree / 2);
+    return burnish_region_sum(caps, count, placed.axis, around, &rule);
 }

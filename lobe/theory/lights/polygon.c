@@ -116,26 +116,9 @@ static void add_clipped(contour *sums, const double normal[3], const double (*ve
     }
 }
 
-/* The closed form cancels for larger slopes (docs/theory.md). */
-static burnish_theory_polygon_rule best_rule(const burnish_theory_powers *lobe) {
-    burnish_theory_polygon_rule rule = {BURNISH_THEORY_POLYGON_CLOSED, 0};
-    if (lobe->zeta > 1) {
-        rule.method = BURNISH_THEORY_POLYGON_GAUSS;
-        rule.terms = 24 + lobe->degree;
-    }
-    return rule;
-}
-
-static int is_possible(const burnish_theory_polygon_rule *rule, double zeta) {
-    int most = rule->method == BURNISH_THEORY_POLYGON_GAUSS ? BURNISH_THEORY_NODES_MAX
-                                                            : BURNISH_THEORY_POLYGON_NARROW_MAX;
-    return rule->method == BURNISH_THEORY_POLYGON_CLOSED ||
-           (rule->terms >= 1 && rule->terms <= most && zeta >= 1);
-}
-
 double burnish_theory_polygon_polynomial(const burnish_theory_powers *lobe, const double axis[3],
                                          const double *normal, const double (*vertices)[3],
-                                         int count, const burnish_theory_polygon_rule *rule) {
+                                         int count) {
     contour sums = {.high = -1, .low = 1};
     if (!burnish_lights_are_valid(lobe, axis, normal, axis)) {
         return NAN;
@@ -145,12 +128,8 @@ double burnish_theory_polygon_polynomial(const burnish_theory_powers *lobe, cons
             return NAN;
         }
     }
-    burnish_theory_polygon_rule best = best_rule(lobe);
-    rule = rule ? rule : &best;
-    if (!is_possible(rule, lobe->zeta)) {
-        return NAN;
-    }
-    burnish_arc_prepare(&sums.rule, lobe, *rule);
+    /* The closed form cancels for larger slopes (docs/theory.md). */
+    burnish_arc_prepare(&sums.rule, lobe, lobe->zeta > 1 ? 24 + lobe->degree : 0);
     vector_normalize(axis, sums.axis);
     for (int i = 0; i < count && !normal; ++i) {
         double corner[3];
@@ -178,10 +157,9 @@ double burnish_theory_polygon_polynomial(const burnish_theory_powers *lobe, cons
 }
 
 double burnish_theory_polygon(int order, double zeta, const double axis[3], const double *normal,
-                              const double (*vertices)[3], int count,
-                              const burnish_theory_polygon_rule *rule) {
+                              const double (*vertices)[3], int count) {
     burnish_theory_powers lobe = burnish_theory_powers_of_order(order, zeta);
     return order < 1 || order > BURNISH_THEORY_POLYGON_ORDER_MAX
                ? NAN
-               : burnish_theory_polygon_polynomial(&lobe, axis, normal, vertices, count, rule);
+               : burnish_theory_polygon_polynomial(&lobe, axis, normal, vertices, count);
 }

@@ -45,14 +45,12 @@ int burnish_region_support(double zeta, const double axis[3], burnish_region_cap
 void burnish_region_point(const burnish_region_circle *circle, double t, double offset[3],
                           double slope[3]);
 
-/* Polynomials in the cosines to one or two axes. */
-typedef struct burnish_product {
-    int count;
-    const burnish_theory_powers *lobe[2];
-    double axis[2][3];
-} burnish_product;
+typedef struct burnish_lobe_around {
+    const burnish_theory_powers *powers;
+    double axis[3];
+} burnish_lobe_around;
 
-/* The integral of the product, in which u is any number. context: burnish_product. */
-double burnish_product_within(const burnish_region *region, const void *context);
+/* The integral of the polynomial, u being any number. context: burnish_lobe_around. */
+double burnish_lobe_within(const burnish_region *region, const void *context);
 
 #endif
