@@ -55,6 +55,7 @@ typedef struct burnish_ray_light {
     int has_sky;            /* 0: only shadows of lamps are wanted */
     float strength;         /* [0, 1]: what a point that sees no sky loses of its light */
     float mean, tint[3];    /* luminance and colour of the light on white that is seen */
+    float ambient[3];       /* light, which metals mirror as what comes from everywhere */
     float sky_mean;         /* luminance of the light from all directions without lamps */
     /* across, across and along a normal: evenly by cosine, all of them, a pattern's, and those of the
      * first patterns */

@@ -182,12 +182,17 @@ BURNISH_INLINE vf lamps_from(const burnish_ray_light *light, const vf origin[3],
     return sum;
 }
 
+typedef struct ray_start {
+    vf origin[3], normal[3];
+} ray_start;
+
 /* Turns the directions of glossy points, and their light: mirrored at one of GGX's normals. */
 BURNISH_INLINE void mirror_rays(const burnish_ray_light *light, const burnish_ray_points *points,
-                                size_t i, const float lobe[2], const vf n[3], const vf origin[3],
-                                vf d[3], vf *arriving) {
+                                size_t i, const float lobe[2], const ray_start *from, vf d[3],
+                                vf *arriving) {
     const vf alpha = vf_load(points->gloss + i), zero = vf_set(0.0f);
     const vm is_matt = vf_greater(zero, alpha);
+    const vf *const n = from->normal;
     vf across[2][3], back[3], h[3], mirrored[3], straight[3];
     find_across(n, across[0], across[1]);
     for (int k = 0; k < 3; ++k) {
@@ -211,7 +216,7 @@ BURNISH_INLINE void mirror_rays(const burnish_ray_light *light, const burnish_ra
         straight[k] = vf_sub(vf_mul(along, n[k]), back[k]);
     }
     const vf light_along = vf_add(light_from(light->sky, mirrored),
-                                  lamps_from(light, origin, straight, vf_max(alpha, zero)));
+                                  lamps_from(light, from->origin, straight, vf_max(alpha, zero)));
     /* what is dark is mirrored, too */
     *arriving = vf_blend(is_matt, *arriving, vf_max(light_along, vf_set(0x1p-30f)));
 }
@@ -223,7 +228,8 @@ static void sample_sky(const burnish_ray_light *light, const burnish_ray_points 
     for (int sample = first; sample < first + count; ++sample) {
         const float *const local = light->directions[sample];
         for (size_t i = 0; i < points->count; i += LANES) {
-            vf n[3], across[2][3], d[3], squared = vf_set(0.0f);
+            ray_start from;
+            vf *const n = from.normal, across[2][3], d[3], squared = vf_set(0.0f);
             for (int k = 0; k < 3; ++k) {
                 n[k] = vf_load(points->normal[k] + i);
                 squared = vf_add(squared, vf_mul(n[k], n[k]));
@@ -237,11 +243,10 @@ static void sample_sky(const burnish_ray_light *light, const burnish_ray_points 
             const vm has_normal = vf_greater(squared, vf_set(0.5f)); /* without: open */
             vf arriving = light_from(light->light, d);
             if (points->gloss) {
-                vf origin[3];
                 for (int k = 0; k < 3; ++k) {
-                    origin[k] = vf_load(rays->origin[k] + i);
+                    from.origin[k] = vf_load(rays->origin[k] + i);
                 }
-                mirror_rays(light, points, i, light->lobe[sample], n, origin, d, &arriving);
+                mirror_rays(light, points, i, light->lobe[sample], &from, d, &arriving);
             }
             set_rays(points, i, d, arriving, vf_and_mask(has_normal, vf_set(RAY_REACH)), rays);
         }
