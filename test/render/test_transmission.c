@@ -196,6 +196,48 @@ static void test_plate(void) {
     }
 }
 
+/* Plates of an index of 1 behind clear sheets absorb along their way once each, as far as paths go: over 16
+ * surfaces. What is behind costs no paths of its own, whether it is among the nearest 32 layers or not. */
+static void test_stack(int sheets, int plates) {
+    enum { SIDE = 8, MOST = 80 };
+    static float corners[MOST][12], pixels[SIDE * SIDE][4];
+    static uint16_t numbers[2 * MOST];
+    const int count = sheets + 2 * plates;
+    burnish_material materials[2] = {glass(0), glass(9)};
+    for (int i = 0; i < count; ++i) {
+        const int is_back = i >= sheets && (i - sheets) % 2, x = is_back ? -1 : 1;
+        for (int corner = 0; corner < 4; ++corner) {
+            corners[i][3 * corner] = (float)(corner % 3 ? x : -x);
+            corners[i][3 * corner + 1] = corner < 2 ? -1 : 1;
+            corners[i][3 * corner + 2] = -0.02f * (float)i;
+        }
+        numbers[2 * i] = numbers[2 * i + 1] = i >= sheets;
+    }
+    for (int i = 0; i < 2; ++i) {
+        set_three(materials[i].diffuse, 1);
+        set_three(materials[i].reflectance, 0);
+        materials[i].edge_loss = materials[i].refractive_index = 1;
+        materials[i].attenuation_distance = 0.2f;
+    }
+    burnish_mesh_description arrays = describe_quads(corners[0], NULL, (size_t)count);
+    give_materials(&arrays, materials, 2);
+    arrays.triangle_materials = (burnish_array){numbers, 2 * (size_t)count, 0};
+    OWNED_MESH *mesh = create_mesh(&arrays, NULL);
+    burnish_render_options options = front_options(SIDE, SIDE, 1);
+    options.light_count = 0;
+    options.has_dome = options.occlusion = options.raytracing = 1;
+    set_three(options.dome.zenith, 1);
+    set_three(options.dome.horizon, 1);
+    set_three(options.dome.nadir, 1);
+    memset(options.background, 255, sizeof options.background);
+    draw_floats(mesh, &options, pixels[0], NULL);
+    for (int i = 0; i < 3 * SIDE * SIDE; ++i) {
+        const double times = log((double)pixels[i / 3][i % 3]) / log((double)absorbed[i % 3]);
+        CHECK(fabs(times / (0.1 * fmin(plates, 8)) - 1) < 0.05,
+              "%d and %d, pixel %d: absorbed %g times", sheets, plates, i, times);
+    }
+}
+
 /* No triangle has the first material, whose maps are not made. */
 static void test_unused(void) {
     static const float corners[12] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
@@ -220,6 +262,9 @@ int main(int count, char **arguments) {
     RUN(test_even_light(0));
     RUN(test_even_light(1));
     RUN(test_plate());
+    RUN(test_stack(0, 2));
+    RUN(test_stack(0, 40));
+    RUN(test_stack(40, 1));
     RUN(test_unused());
     return test_end("transmission");
 }

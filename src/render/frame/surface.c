@@ -582,6 +582,9 @@ burnish_fragment_batch burnish_shade_fragments(const burnish_surface *surface,
     if (surface->caps) {
         cap_fragments(surface, tile, fragments, scratch);
     }
+    if (rgb && surface->is_layers) {
+        burnish_find_first_volumes(surface, fragments, scratch);
+    }
     if (rgb) {
         shade_batch(surface->shading, &batch, scratch, rgb);
     }

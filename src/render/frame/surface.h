@@ -85,9 +85,8 @@ typedef struct burnish_shading {
     int needs_position;                               /* 1: a point light or a local viewer */
     const struct burnish_occlusion_lookup *occlusion; /* NULL: none */
     const burnish_ray_light *ray_light;               /* instead of depth maps; NULL: none */
-    int is_deep; /* 1: layers so far behind others that no ray is refracted there */
-    const struct burnish_shadow_lookup *shadow; /* of the first light; NULL: none */
-    const burnish_texturing *texturing;         /* NULL: no material is special */
+    const struct burnish_shadow_lookup *shadow;       /* of the first light; NULL: none */
+    const burnish_texturing *texturing;               /* NULL: no material is special */
     size_t hollow_from; /* triangles from this one on bound hollows of negative volumes; 0: none */
     const burnish_area *area; /* NULL: no light from many directions */
     /* the body by which `kernels->shade_mixed` shades all materials at once; NONE: it can't */
@@ -139,7 +138,7 @@ typedef struct burnish_fragment_scratch {
     burnish_near_scratch near;
     burnish_near_cells cells;          /* of the tile */
     float hatch[BURNISH_SHADE_BATCH];  /* of fragments: burnish_cap_hatch */
-    float facing[BURNISH_SHADE_BATCH]; /* of fragments: 1: the front is seen; -1 */
+    float facing[BURNISH_SHADE_BATCH]; /* of fragments: 1: the front is seen; 2: and refracts; -1 */
     burnish_code_direction known;      /* of the tile */
     int has_textures;                  /* 1: texture is zero or was used; else it is unset */
     burnish_texture_scratch texture;   /* two thirds of all, and few frames have textures */
@@ -199,6 +198,11 @@ void burnish_add_bounces_mixed(const burnish_shading *shading, const burnish_fra
                                burnish_fragment_scratch *scratch, float *const rgb[3]);
 
 /* ---- Light that passes (transmission.c) ---- */
+
+/* Sets scratch->facing to 2 where samples show their first front of a volume that refracts: paths from
+ * there meet those behind, however many there are. */
+void burnish_find_first_volumes(const burnish_surface *surface, const burnish_fragments *fragments,
+                                burnish_fragment_scratch *scratch);
 
 /* Writes to scratch->texture.passed what of the light from straight behind passes through points of
  * a material that `passes`, just shaded, and adds to their colours what is refracted. */

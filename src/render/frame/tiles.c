@@ -121,10 +121,10 @@ static void shade_layers(const burnish_frame *frame, const burnish_bins *bins,
     const int wanted = frame->output.target.pixels.pixels != NULL;
     burnish_layer_light_clear(worker->layers, frame->output.samples,
                               wanted && texturing && texturing->has_passing);
+    if (worker->scratch.rays) {
+        memset(worker->scratch.rays->refracted, 0, sizeof worker->scratch.rays->refracted);
+    }
     shade_pass(frame, &surface, worker);
-    burnish_shading deep = *surface.shading; /* else a pixel could cast millions of rays */
-    deep.is_deep = 1;
-    surface.shading = &deep;
     while (burnish_layers_deeper(tile, worker->layers->through, worker->layers->channel, UNSEEN,
                                  frame->layer_passes)) {
         frame->ops->draw_deeper_layers(tile, frame->geometry, bins, column, row);

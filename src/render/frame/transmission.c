@@ -36,9 +36,23 @@ static void trace_light(const burnish_shading *shading, const burnish_passing *p
     for (int i = 0; i < 3 * count; ++i) {
         const int k = i % 3, at = i / 3;
         float *const passed = &textures->passed[k][at];
-        if (passing->facing[at] > 0) {
+        if (passing->facing[at] > 1) {
             rgb[k][at] += *passed * (sums[k][at] / BURNISH_RAY_PATHS);
             *passed *= straight[k][at] / BURNISH_RAY_PATHS;
+        }
+    }
+}
+
+void burnish_find_first_volumes(const burnish_surface *surface, const burnish_fragments *fragments,
+                                burnish_fragment_scratch *scratch) {
+    const burnish_shading *shading = surface->shading;
+    const int has_volumes = shading->ray_light && shading->ray_light->volumes;
+    for (int i = 0; has_volumes && i < fragments->count; ++i) {
+        uint16_t *before = &scratch->rays->refracted[fragments->pixels[i]];
+        const int32_t material = surface->triangle_materials ? scratch->material[i] : 0;
+        if (scratch->facing[i] > 0 && shading->texturing->materials[material].refracts) {
+            scratch->facing[i] = fragments->samples[i] & ~*before ? 2 : 1;
+            *before |= fragments->samples[i];
         }
     }
 }
@@ -56,8 +70,14 @@ void burnish_pass_light(const burnish_shading *shading, const burnish_kernels_po
                                .shader = &shading->texturing->white,
                                .points = *points,
                                .facing = is_group ? scratch->group.facing : scratch->facing};
-    passing.is_traced =
-        shading->ray_light && shading->ray_light->volumes && from->refracts && !shading->is_deep;
+    passing.is_traced = shading->ray_light && shading->ray_light->volumes && from->refracts;
+    int has_paths = 0;
+    for (int i = 0; i < count && passing.is_traced; ++i) {
+        has_paths |= passing.facing[i] > 1;
+        for (int k = 0; k < 3 && passing.facing[i] == 1; ++k) { /* the paths lose that light */
+            textures->passed[k][i] = 1;
+        }
+    }
     const float *direction[3];
     float *seen[3];
     for (int k = 0; k < 3; ++k) {
@@ -79,7 +99,7 @@ void burnish_pass_light(const burnish_shading *shading, const burnish_kernels_po
             passed[i] *= own;
         }
     }
-    if (passing.is_traced) {
+    if (has_paths) {
         trace_light(shading, &passing, material, count, has_maps ? seen : NULL, scratch, rgb);
     }
 }

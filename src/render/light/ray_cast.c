@@ -129,18 +129,22 @@ static burnish_vec3 seen_at(const burnish_rays *rays, double x, double y, double
     return burnish_vec3_load(at);
 }
 
+int burnish_ray_met_back(const burnish_started_rays *rays, const burnish_ray_tree *tree,
+                         const burnish_ray_light *light, size_t i) {
+    const burnish_vec3 along = {rays->direction[0][i], rays->direction[1][i],
+                                rays->direction[2][i]};
+    burnish_vec3 corner[3], normal = along;
+    return find_face(light, light->solid, tree->numbers[rays->place[i]], corner, &normal) &&
+           burnish_vec3_dot(burnish_vec3_cross(burnish_vec3_sub(corner[1], corner[0]),
+                                               burnish_vec3_sub(corner[2], corner[0])),
+                            along) > 0;
+}
+
 /* Lets rays go on that met the back of a triangle. Returns whether there are any. */
 static int pass_backs(const burnish_ray_light *light, burnish_started_rays *rays, size_t count) {
     int are_any = 0;
     for (size_t i = 0; i < count; ++i) {
-        burnish_vec3 corner[3],
-            along = {rays->direction[0][i], rays->direction[1][i], rays->direction[2][i]};
-        burnish_vec3 normal = along;
-        if (rays->hits[i] > 0 &&
-            find_face(light, light->solid, light->tree->numbers[rays->place[i]], corner, &normal) &&
-            burnish_vec3_dot(burnish_vec3_cross(burnish_vec3_sub(corner[1], corner[0]),
-                                                burnish_vec3_sub(corner[2], corner[0])),
-                             along) > 0) {
+        if (rays->hits[i] > 0 && burnish_ray_met_back(rays, light->tree, light, i)) {
             for (int k = 0; k < 3; ++k) {
                 rays->origin[k][i] += rays->direction[k][i] * (rays->distance[i] + light->offset);
             }

@@ -133,6 +133,7 @@ typedef struct burnish_ray_tile {
     uint16_t cut[BURNISH_RAY_PIXELS];  /* bit i: some rays to lamp i are not in its light */
     /* bit i: rays to lamp i did not agree, or, for BURNISH_RAY_LAMPS_MAX, mirrored ones; there are more */
     uint16_t mixed[BURNISH_RAY_PIXELS];
+    uint16_t refracted[BURNISH_TILE_PIXELS]; /* bits of samples whose first volume has been seen */
     burnish_gathered_points points, met[BURNISH_RAY_BOUNCES]; /* scratch */
     burnish_started_rays rays;
 } burnish_ray_tile;
@@ -188,6 +189,10 @@ size_t burnish_ray_met(const burnish_started_rays *rays, const burnish_ray_tree 
                        const burnish_ray_light *light, size_t i, float position[3], float *normal,
                        float face[3]);
 
+/* Whether it met the triangle's back. */
+int burnish_ray_met_back(const burnish_started_rays *rays, const burnish_ray_tree *tree,
+                         const burnish_ray_light *light, size_t i);
+
 /* What the surface of a triangle of the mesh reflects. Pieces of masked ones are gray. Returns its
  * gloss: matt surfaces see all as matt, for few rays find what others mirror. */
 float burnish_ray_albedo(const burnish_ray_light *light, size_t triangle, int is_mirrored,
@@ -212,8 +217,8 @@ typedef struct burnish_refracted {
     float left[3][BURNISH_OCCLUDED_MAX];   /* by what is absorbed on the way */
 } burnish_refracted;
 
-/* Follows path `number` of points through all volumes, over 8 surfaces. Those that are seen from inside
- * have none. */
+/* Follows path `number` of points through all volumes, over 16 surfaces. Only those have one whose
+ * facing is above 1. */
 void burnish_ray_refract(burnish_ray_tile *tile, const burnish_ray_light *light,
                          const burnish_render_ops *ops, const burnish_passing *points, size_t count,
                          int number, burnish_refracted *refracted);

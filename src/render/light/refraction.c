@@ -7,7 +7,7 @@
 #include "render/space.h"
 
 /* Surfaces of volumes that a path meets. */
-enum { SURFACES = 8 };
+enum { SURFACES = 16 };
 
 /* Longer than the mesh is wide, from anywhere near it. */
 #define FAR 64.0f
@@ -24,10 +24,11 @@ enum { SURFACES = 8 };
 typedef struct light_path {
     burnish_vec3 start, first, normal; /* where the volume is seen, from where, and its normal */
     burnish_vec3 at, along;
-    double deep[3]; /* logarithms of what is absorbed */
-    const burnish_textured_material *material;
-    int group; /* of four pixels */
-    int is_inside, is_done;
+    double deep[3];                 /* logarithms of what is absorbed */
+    uint16_t volumes[SURFACES + 1]; /* materials of those around it, the last one entered last */
+    int depth;                      /* how many these are */
+    int group;                      /* of four pixels */
+    int is_seen, is_done;           /* is_seen: there is a path */
 } light_path;
 
 /* Turns a path at a surface, whose normal is against it: by refraction or, where that is more light, by
@@ -46,8 +47,10 @@ static int turn_path(light_path *path, burnish_vec3 normal, double ratio) {
     return passes;
 }
 
-static double index_of(const burnish_textured_material *of) {
-    return of->material.refractive_index >= 1 ? (double)of->material.refractive_index : 1.5;
+/* The refractive index of the innermost of `depth` volumes. */
+static double index_in(const burnish_ray_light *light, const uint16_t *volumes, int depth) {
+    const float index = depth ? light->textured[volumes[depth - 1]].material.refractive_index : 1;
+    return index >= 1 ? (double)index : 1.5;
 }
 
 /* A surface's share of light passes, or a volume's along so many times its attenuation distance. */
@@ -59,11 +62,29 @@ static void absorb(light_path *path, const float color[3], double share, double 
 }
 
 static void absorb_along(light_path *path, const burnish_ray_light *light, float length) {
-    const burnish_material *material = &path->material->material;
-    if (path->is_inside && material->attenuation_distance > 0) {
+    const size_t last = path->depth ? path->volumes[path->depth - 1] : 0;
+    const burnish_material *material = &light->textured[last].material;
+    if (path->depth && material->attenuation_distance > 0) {
         absorb(path, material->attenuation_color, 1,
                (double)length / ((double)light->scale * (double)material->attenuation_distance));
     }
+}
+
+/* Where a path would be behind a surface: in one volume more if it meets a front, or is in none; else in
+ * one less, that of the surface's material if there is one. Returns how many. */
+static int find_volumes(const light_path *path, uint16_t material, int is_back,
+                        uint16_t volumes[SURFACES + 1]) {
+    int left = path->depth - 1;
+    memcpy(volumes, path->volumes, sizeof path->volumes);
+    if (path->depth == 0 || !is_back) {
+        volumes[path->depth] = material;
+        return path->depth + 1;
+    }
+    for (int i = left; volumes[left] != material && i >= 0; --i) {
+        left = volumes[i] == material ? i : left;
+    }
+    memmove(volumes + left, volumes + left + 1, (size_t)(SURFACES - left) * sizeof *volumes);
+    return path->depth - 1;
 }
 
 /* Where the path goes on from a surface of a volume that its ray met. */
@@ -72,19 +93,24 @@ static void meet_volume(const burnish_ray_light *light, const burnish_started_ra
     float position[3], smooth[3], plane[3];
     const size_t number = burnish_ray_met(rays, light->volumes, light, i, position, smooth, plane);
     const uint16_t *materials = light->solid->triangle_materials;
+    const uint16_t own = materials ? materials[number] : 0;
+    uint16_t volumes[SURFACES + 1];
     burnish_vec3 normal = burnish_vec3_loadf(smooth), face = burnish_vec3_loadf(plane);
     absorb_along(path, light, rays->distance[i]);
-    if (!path->is_inside) {
-        path->material = &light->textured[materials ? materials[number] : 0];
-    }
-    const burnish_material *material = &path->material->material;
+    const int depth =
+        find_volumes(path, own, burnish_ray_met_back(rays, light->volumes, light, i), volumes);
+    const burnish_material *material = &light->textured[own].material;
     normal = burnish_vec3_dot(normal, path->along) < 0 ? normal : face;
-    const double index = index_of(path->material);
-    const int passes = turn_path(path, normal, path->is_inside ? index : 1 / index);
-    if (passes && !path->is_inside) {
+    const int passes =
+        turn_path(path, normal,
+                  index_in(light, path->volumes, path->depth) / index_in(light, volumes, depth));
+    if (passes && depth > path->depth) {
         absorb(path, material->diffuse, (double)material->transmission, 1);
     }
-    path->is_inside ^= passes;
+    if (passes) {
+        path->depth = depth;
+        memcpy(path->volumes, volumes, sizeof volumes);
+    }
     /* smooth normals lean away from the triangle, through which no path goes twice */
     const burnish_vec3 side = burnish_vec3_scale(face, passes ? -1 : 1);
     const double below = burnish_vec3_dot(path->along, side);
@@ -209,7 +235,8 @@ static void move_starts(burnish_ray_tile *tile, const burnish_ray_light *light, 
     burnish_started_rays *rays = &tile->rays;
     for (size_t i = 0; i < count; ++i) {
         const burnish_vec3 back = burnish_vec3_scale(paths[i].first, (double)light->near);
-        set_ray(rays, i, burnish_vec3_sub(paths[i].start, back), paths[i].first, 2 * light->near);
+        set_ray(rays, i, burnish_vec3_sub(paths[i].start, back), paths[i].first,
+                paths[i].is_seen ? 2 * light->near : 0);
     }
     find_hits(light, light->volumes, rays, count);
     for (size_t i = 0; i < count; ++i) {
@@ -231,7 +258,8 @@ static void find_straight(burnish_ray_tile *tile, const burnish_ray_light *light
         const double half = burnish_sqrt(cosine > -1 ? 0.5 + 0.5 * cosine : 0);
         const double t = (half - TURNED) / (STRAIGHT - TURNED), part = t < 0 ? 0 : t < 1 ? t : 1;
         share[i] = (float)(part * part * (3 - 2 * part));
-        set_ray(&tile->rays, i, paths[i].start, paths[i].first, share[i] > 0 ? FAR : 0);
+        set_ray(&tile->rays, i, paths[i].start, paths[i].first,
+                paths[i].is_seen && share[i] > 0 ? FAR : 0);
     }
     find_hits(light, light->tree, &tile->rays, count);
     for (size_t i = 0; i < count; ++i) {
@@ -241,13 +269,13 @@ static void find_straight(burnish_ray_tile *tile, const burnish_ray_light *light
 
 static void enter_volume(const burnish_ray_light *light, const burnish_textured_material *material,
                          light_path *path) {
-    path->material = material;
+    path->volumes[0] = (uint16_t)(material - light->textured);
+    path->depth = 1;
     path->along = path->first;
-    path->is_inside = 1;
     if (burnish_vec3_dot(path->normal, path->first) > 0) { /* a smooth one, at the edge */
         path->normal = burnish_vec3_scale(path->first, -1);
     }
-    path->is_done = !turn_path(path, path->normal, 1 / index_of(material));
+    path->is_done = !turn_path(path, path->normal, 1 / index_in(light, path->volumes, 1));
     path->at =
         burnish_vec3_sub(path->start, burnish_vec3_scale(path->normal, (double)light->offset));
 }
@@ -259,6 +287,7 @@ void burnish_ray_refract(burnish_ray_tile *tile, const burnish_ray_light *light,
     burnish_gathered_points *met = &tile->points;
     for (size_t i = 0; i < count; ++i) {
         paths[i] = find_start(light, &points->points, i, number);
+        paths[i].is_seen = points->facing[i] > 1;
     }
     if (!points->material->has_normals) {
         move_starts(tile, light, paths, count);
@@ -270,7 +299,7 @@ void burnish_ray_refract(burnish_ray_tile *tile, const burnish_ray_light *light,
             if (paths[i].group == group) {
                 enter_volume(light, points->material, &paths[i]);
             }
-            paths[i].is_done |= paths[i].group != group || !(points->facing[i] > 0);
+            paths[i].is_done |= paths[i].group != group || !paths[i].is_seen;
         }
         for (int i = 0; i < SURFACES && follow_paths(tile, light, paths, count); ++i) {
         }

@@ -148,7 +148,8 @@ static burnish_status set_material(burnish_texturing *texturing, const burnish_m
     to->passes = from->is_metallic && !from->is_unlit && from->transmission > 0 &&
                  !(texturing->mesh->point_radius > 0) &&
                  !burnish_mesh_get_negatives(mesh); /* what is carved is opaque */
-    to->refracts = to->passes && from->thickness > 0 && from->roughness < REFRACTING_ROUGHNESS;
+    to->refracts = to->passes && from->thickness > 0 && !to->is_alpha &&
+                   from->roughness < REFRACTING_ROUGHNESS;
     to->material.transmission = to->passes ? from->transmission : 0;
     to->is_smooth = to->is_alpha && is_smooth_mask(texturing, from);
     to->mask_alpha = mask_alpha(from);

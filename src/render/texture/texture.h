@@ -200,7 +200,7 @@ typedef struct burnish_passing {
     const burnish_textured_material *material;
     const burnish_kernels_shader *shader; /* has the viewer */
     burnish_kernels_points points;        /* position and w are read if the viewer is near */
-    const float *facing;                  /* above 0: the front is seen */
+    const float *facing;                  /* above 0: the front is seen; above 1: and traced */
     int is_traced;                        /* 1: rays find what a volume absorbs */
 } burnish_passing;
 
