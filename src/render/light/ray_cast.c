@@ -6,14 +6,16 @@
 #include "render/light/ray_light.h"
 #include "render/space.h"
 
-/* Shares of a lamp that are hidden from neighbouring pixels differ by less, except at a sharp edge. */
+/* Shares of a lamp that are hidden from neighbouring pixels differ by less, except at a sharp edge: by 4
+ * rays, and by more. */
 #define LEAST_STEP 0.15f
+#define LEAST_FINER_STEP 0.25f
 
 /* Alpha of surfaces whose mirrored rays all go the same way. */
 #define LEAST_GLOSS 0x1p-10f
 
-/* Patterns of rays where one is not enough. */
-enum { MORE_PATTERNS = 4 };
+/* Patterns of rays where one is not enough, and where these are not. */
+enum { MORE_PATTERNS = 4, ALL_PATTERNS = BURNISH_RAY_PATTERNS };
 
 /* Longer than the way from the camera through the mesh. */
 #define FAR 1e6f
@@ -386,17 +388,14 @@ static float mirrored_light(const burnish_ray_tile *tile, int at) {
     return sent[0][at] + sent[1][at] + sent[2][at];
 }
 
-/* Whether the rays of a pixel to a lamp, or mirrored ones, do not agree, with one another or with those of
- * its neighbours on the same surface. */
-static int is_mixed(const burnish_ray_tile *tile, int at, int sums) {
+/* Whether neighbours of a pixel on the same surface see so much more or less of a lamp, or mirrored. */
+static int is_apart(const burnish_ray_tile *tile, int at, int sums, float least) {
     const float share = burnish_ray_share(tile, at, sums);
     const int x = at % BURNISH_RAY_EDGE, y = at / BURNISH_RAY_EDGE;
     const int is_mirrored = sums == BURNISH_RAY_GLOSSY;
-    int is_mixed =
-        share > 0 &&
-        (share < 1 || (!is_mirrored && tile->cut[at] >> (sums - BURNISH_RAY_LAMPS) / 2 & 1));
-    for (int i = 0; i < 4 && !is_mixed; ++i) {
-        const int column = x + i % 2 * (i - 2), row = y + (1 - i % 2) * (i - 1);
+    int is_apart = 0;
+    for (int i = 0; i < 9 && !is_apart; ++i) {
+        const int column = x + i % 3 - 1, row = y + i / 3 - 1;
         const int beside = row * BURNISH_RAY_EDGE + column;
         if (column < 0 || row < 0 || column >= BURNISH_RAY_EDGE || row >= BURNISH_RAY_EDGE ||
             tile->rank[beside] == 0 || (is_mirrored && tile->gloss[beside] < 0)) {
@@ -411,9 +410,18 @@ static int is_mixed(const burnish_ray_tile *tile, int at, int sums) {
         for (int k = 0; k < 3; ++k) {
             cosine += tile->normal[k][at] * tile->normal[k][beside];
         }
-        is_mixed = cosine > BURNISH_RAY_ALIKE && (step > LEAST_STEP || step < -LEAST_STEP);
+        is_apart = cosine > BURNISH_RAY_ALIKE && (step > least || step < -least);
     }
-    return is_mixed;
+    return is_apart;
+}
+
+/* Whether the rays of a pixel to a lamp, or mirrored ones, do not agree, with one another or with those of
+ * its neighbours. */
+static int is_mixed(const burnish_ray_tile *tile, int at, int sums) {
+    const float share = burnish_ray_share(tile, at, sums);
+    const int is_cut =
+        sums != BURNISH_RAY_GLOSSY && tile->cut[at] >> (sums - BURNISH_RAY_LAMPS) / 2 & 1;
+    return (share > 0 && (share < 1 || is_cut)) || is_apart(tile, at, sums, LEAST_STEP);
 }
 
 /* Every other bit of i. */
@@ -437,9 +445,9 @@ enum {
 
 /* Brings pixel `pixel` of all blocks together, in squares: their rays stay together. The last of 17 in a
  * row or column are a batch of their own.
- *   which  ALL, GLOSSY, or a lamp or MIXED_GLOSSY: those where such rays are mixed */
+ *   which  ALL, GLOSSY or bit `which` of wanted */
 static void gather_pixels(burnish_ray_tile *tile, const burnish_ray_light *light, int pixel,
-                          int batch, int which) {
+                          int batch, int which, const uint16_t *wanted) {
     enum { BLOCKS = BURNISH_TILE_BLOCKS * BURNISH_TILE_BLOCKS, SIDE = BURNISH_TILE_BLOCKS };
     _Static_assert((int)BLOCKS <= (int)BURNISH_OCCLUDED_MAX, "a pixel of all blocks is a batch");
     burnish_gathered_points *points = &tile->points;
@@ -453,7 +461,7 @@ static void gather_pixels(burnish_ray_tile *tile, const burnish_ray_light *light
             burnish_ray_place(column * 4 + x - (x < 2 ? 0 : 4), row * 4 + y - (y < 2 ? 0 : 4));
         const size_t to = points->count;
         if (tile->rank[at] == 0 || (which == GLOSSY && tile->gloss[at] < 0) ||
-            (which >= 0 && !(tile->mixed[at] >> which & 1))) {
+            (which >= 0 && !(wanted[at] >> which & 1))) {
             continue;
         }
         for (int k = 0; k < 3; ++k) {
@@ -510,10 +518,10 @@ static void cast_pixels(burnish_ray_tile *tile, const burnish_ray_light *light,
                         const burnish_render_ops *ops, int pixel, int batch) {
     burnish_gathered_points *points = &tile->points;
     if (light->has_sky) {
-        gather_pixels(tile, light, pixel, batch, GLOSSY);
+        gather_pixels(tile, light, pixel, batch, GLOSSY, NULL);
         cast_mirrored(tile, light, ops, pixel, 1);
     }
-    gather_pixels(tile, light, pixel, batch, ALL);
+    gather_pixels(tile, light, pixel, batch, ALL, NULL);
     if (light->has_sky) {
         cast_skies(tile, points, light, ops, pixel * BURNISH_RAY_SAMPLES, BURNISH_RAY_SAMPLES);
     }
@@ -530,6 +538,16 @@ static void cast_pixels(burnish_ray_tile *tile, const burnish_ray_light *light,
     }
 }
 
+/* Casts rays of more patterns to a lamp. */
+static void cast_more(burnish_ray_tile *tile, const burnish_ray_light *light,
+                      const burnish_render_ops *ops, int lamp, int patterns,
+                      const uint16_t *wanted) {
+    for (int i = 0; i < BURNISH_BLOCK_PIXELS * BATCHES; ++i) {
+        gather_pixels(tile, light, i / BATCHES, i % BATCHES, lamp, wanted);
+        cast_to_lamp(tile, light, ops, lamp, lamp_pattern(i / BATCHES), patterns);
+    }
+}
+
 void burnish_ray_tile_cast(burnish_ray_tile *tile, const burnish_ray_light *light,
                            const burnish_render_ops *ops) {
     if (!light->has_sky) {
@@ -537,6 +555,7 @@ void burnish_ray_tile_cast(burnish_ray_tile *tile, const burnish_ray_light *ligh
     }
     memset(tile->cut, 0, sizeof tile->cut);
     memset(tile->mixed, 0, sizeof tile->mixed);
+    memset(tile->rough, 0, sizeof tile->rough);
     for (int i = 0; i < BURNISH_BLOCK_PIXELS * BATCHES; ++i) {
         cast_pixels(tile, light, ops, i / BATCHES, i % BATCHES);
     }
@@ -549,11 +568,16 @@ void burnish_ray_tile_cast(burnish_ray_tile *tile, const burnish_ray_light *ligh
         }
     }
     for (int i = 0; i < BURNISH_BLOCK_PIXELS * BATCHES; ++i) {
-        for (int lamp = 0; lamp < light->lamp_count; ++lamp) {
-            gather_pixels(tile, light, i / BATCHES, i % BATCHES, lamp);
-            cast_to_lamp(tile, light, ops, lamp, lamp_pattern(i / BATCHES), MORE_PATTERNS);
-        }
-        gather_pixels(tile, light, i / BATCHES, i % BATCHES, MIXED_GLOSSY);
+        gather_pixels(tile, light, i / BATCHES, i % BATCHES, MIXED_GLOSSY, tile->mixed);
         cast_mirrored(tile, light, ops, lamp_pattern(i / BATCHES), MORE_PATTERNS);
+    }
+    for (int lamp = 0; lamp < light->lamp_count; ++lamp) {
+        cast_more(tile, light, ops, lamp, MORE_PATTERNS, tile->mixed);
+        for (int at = 0; at < BURNISH_RAY_PIXELS; ++at) {
+            const int is_rough = tile->mixed[at] >> lamp & 1 &&
+                                 is_apart(tile, at, burnish_ray_sums(lamp), LEAST_FINER_STEP);
+            tile->rough[at] |= (uint16_t)(is_rough << lamp);
+        }
+        cast_more(tile, light, ops, lamp, ALL_PATTERNS, tile->rough);
     }
 }

@@ -9,11 +9,6 @@
 /* A point around which pixels of its own surface weigh less gets all pixels' rays. */
 #define FEW 1.0f
 
-/* From so much on the mean of the pixels around blurs such an edge more than it takes noise away; from
- * twice as much on it does not count. */
-#define BLURRED_STEP 0.1f
-#define BLURRED_MEAN_STEP 0.03f
-
 /* Farther than points are from one another. */
 #define EVERYWHERE 1e6f
 
@@ -89,18 +84,6 @@ void burnish_ray_light_add(burnish_ray_light *light, const burnish_area_light *f
 
 /* ---- What points see ---- */
 
-/* What is hidden of a lamp, as a share: of the pixels beside, where all have cast more rays, otherwise of
- * those around; unless an edge lies there, which their mean would blur. It does where fewer pixels or the
- * own one see so much more or less. */
-static float hidden_share(float around, float own, const float beside[3]) {
-    const int is_fine = beside[2] == 0;
-    const float mean = is_fine ? beside[1] / beside[0] : around;
-    const float limit = is_fine ? BLURRED_MEAN_STEP : BLURRED_STEP,
-                step = (is_fine ? mean : own) - around;
-    const float edge = (step < 0 ? -step : step) / limit - 1;
-    return edge <= 0 ? mean : mean + (own - mean) * (edge < 1 ? edge : 1);
-}
-
 /* Adds what pixels around a point found, each of a pattern's weight. Returns the weight of all.
  *   alike  the cosine from which on normals are of one surface; -1: all are, wherever they lie */
 static float gather_sums(const burnish_ray_tile *tile, const burnish_ray_light *light, int pixel,
@@ -110,7 +93,7 @@ static float gather_sums(const burnish_ray_tile *tile, const burnish_ray_light *
     static const float of_finer[5] = {0, 0.5f, 1, 0.5f, 0}; /* each finer one */
     const int column = burnish_pixel_x(pixel), row = burnish_pixel_y(pixel);
     const int sum_count = burnish_ray_sums(light->lamp_count);
-    float all = 0, beside[BURNISH_RAY_LAMPS_MAX][3] = {{0}};
+    float all = 0, beside[BURNISH_RAY_LAMPS_MAX][2] = {{0}};
     const int middle = burnish_ray_place(column, row);
     const int is_mirror = tile->rank[middle] > 0 && tile->gloss[middle] < SHARP;
     const float near = alike < 0 ? EVERYWHERE : light->near;
@@ -142,17 +125,15 @@ static float gather_sums(const burnish_ray_tile *tile, const burnish_ray_light *
             for (int lamp = 0; lamp < light->lamp_count && finer > 0; ++lamp) {
                 beside[lamp][0] += finer * tile->sums[burnish_ray_sums(lamp)][at];
                 beside[lamp][1] += finer * tile->sums[burnish_ray_sums(lamp) + 1][at];
-                beside[lamp][2] += tile->mixed[at] >> lamp & 1 ? 0 : finer;
             }
         }
     }
     for (int lamp = 0; lamp < light->lamp_count && own >= 0; ++lamp) {
-        float *const of = sums + burnish_ray_sums(lamp);
-        if (of[0] > 0 && beside[lamp][0] > 0 && tile->mixed[own] >> lamp & 1 &&
-            !(tile->cut[own] >> lamp & 1)) {
-            of[1] = of[0] * hidden_share(of[1] / of[0],
-                                         burnish_ray_share(tile, own, burnish_ray_sums(lamp)),
-                                         beside[lamp]);
+        const int sum = burnish_ray_sums(lamp);
+        if (tile->rough[own] >> lamp & 1) { /* the mean would blur an edge */
+            sums[sum + 1] = sums[sum] * burnish_ray_share(tile, own, sum);
+        } else if (tile->mixed[own] >> lamp & 1 && beside[lamp][0] > 0) {
+            sums[sum + 1] = sums[sum] * (beside[lamp][1] / beside[lamp][0]);
         }
     }
     return all;

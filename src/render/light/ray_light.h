@@ -133,6 +133,8 @@ typedef struct burnish_ray_tile {
     uint16_t cut[BURNISH_RAY_PIXELS];  /* bit i: some rays to lamp i are not in its light */
     /* bit i: rays to lamp i did not agree, or, for BURNISH_RAY_LAMPS_MAX, mirrored ones; there are more */
     uint16_t mixed[BURNISH_RAY_PIXELS];
+    /* bit i: nor did these to lamp i with its neighbours', so that there are those of all patterns */
+    uint16_t rough[BURNISH_RAY_PIXELS];
     uint16_t refracted[BURNISH_TILE_PIXELS]; /* bits of samples whose first volume has been seen */
     burnish_gathered_points points, met[BURNISH_RAY_BOUNCES]; /* scratch */
     burnish_started_rays rays;
