@@ -27,7 +27,7 @@
 
 enum {
     SECONDS = 300, /* of processor time, without --max-seconds */
-    PIECE = 1 << 16,
+    PIECE = 1 << 14,
     HEAD = 512,            /* bytes to inspect before an importer is started */
     MOST_FIXED = 64 << 20, /* limit of a stream: MOST_FIXED plus MOST_FACTOR per input byte */
     MOST_FACTOR = 256,
@@ -160,7 +160,7 @@ static ssize_t read_piece(const run *r, unsigned char *piece, burnish_status *st
 }
 
 static burnish_status read_stream(const run *r, import_sink sink) {
-    static unsigned char piece[PIECE];
+    unsigned char piece[PIECE]; /* several threads may load files */
     burnish_status status = BURNISH_STATUS_OK;
     uint64_t total = 0;
     ssize_t size;

@@ -16,6 +16,12 @@
 #include "render/scene/library_options.h"
 #include "render/scene/prepare.h"
 #include "render/useless.h"
+#ifdef SESSION_HAS_IMPORTERS
+#include "import/load_input.h"
+#else
+#define SESSION_HAS_IMPORTERS 0 /* bindings/wasm */
+#define import_load burnish_mesh_load
+#endif
 
 struct session {
     burnish_context *context;
@@ -313,8 +319,8 @@ static burnish_status end_call(session *s, burnish_status status, session_naming
     return status;
 }
 
-/* Sets the options of loading. */
-static burnish_status set_loading(session *s, const char *name, session_options given,
+/* Sets the options of loading. Only files, which can be handed over, may be of an importer's format. */
+static burnish_status set_loading(session *s, const char *name, int is_file, session_options given,
                                   burnish_load_options *options, burnish_error *error) {
     s->name = strdup(name);
     s->settings.input.name = s->name;
@@ -322,7 +328,7 @@ static burnish_status set_loading(session *s, const char *name, session_options 
     burnish_status status = s->name
                                 ? set_options(&open_command, given, &s->settings, &s->texts, error)
                                 : cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
-    if (status == BURNISH_STATUS_OK) {
+    if (status == BURNISH_STATUS_OK && !(is_file && SESSION_HAS_IMPORTERS)) {
         status = cli_refuse_foreign(s->settings.input.load.format, error);
     }
     if (status == BURNISH_STATUS_OK && s->settings.input.load.plate < 0) {
@@ -388,13 +394,13 @@ static burnish_status prepare_mesh(session *s, burnish_status status, burnish_er
 burnish_status session_open(session *s, const char *name, const void *bytes, size_t size,
                             session_options given, burnish_error *error) {
     burnish_load_options options;
-    burnish_status status = set_loading(s, name, given, &options, error);
+    burnish_status status = set_loading(s, name, !bytes, given, &options, error);
     if (status == BURNISH_STATUS_OK && bytes) {
         options.referenced_files = cli_companion_loader(&s->companions);
         status = burnish_mesh_load_memory(bytes, size, s->name, &options, &s->mesh, error);
         status = prepare_mesh(s, status, error);
     } else if (status == BURNISH_STATUS_OK) {
-        status = prepare_mesh(s, burnish_mesh_load(s->name, &options, &s->mesh, error), error);
+        status = prepare_mesh(s, import_load(s->name, &options, &s->mesh, error), error);
     }
     return end_call(s, status, given.naming, error);
 }
@@ -412,7 +418,7 @@ burnish_status session_build(session *s, const burnish_mesh_description *descrip
                              session_options given, burnish_error *error) {
     burnish_load_options options;
     burnish_status status =
-        set_loading(s, description->name ? description->name : "mesh", given, &options, error);
+        set_loading(s, description->name ? description->name : "mesh", 0, given, &options, error);
     if (!is_given(given, "up")) { /* the description's */
         s->settings.camera.up = UP_FORMAT;
     }

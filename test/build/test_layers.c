@@ -98,7 +98,7 @@ static const struct layer {
     {"program/render/settings", "base base/cli cli picture burnish"},
     {"program/sandbox", "base base/cli cli import picture/video.h burnish"},
     {"program/serve", "base base/cli cli import render render/settings sandbox burnish"},
-    {"program/session", "base base/cli cli render render/output render/scene burnish"},
+    {"program/session", "base base/cli cli import render render/output render/scene burnish"},
     {"importers",
      "base mesh/read/bms.h mesh/read/read.h mesh/read/io/zip.h core/srgb.h sandbox/lock.h"},
     {"importers/assimp", "base importers"},

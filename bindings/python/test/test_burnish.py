@@ -633,6 +633,20 @@ class Contents(unittest.TestCase):
         self.assertEqual((teapot.parts, teapot.plates, teapot.filaments, teapot.face_parts), ([], [], [], None))
 
 
+    def test_importers(self):
+        """A program in BURNISH_IMPORTERS reads other formats, here with a triangle as its answer."""
+        stream = struct.pack("<8s2IQ6I4f9f3I", b"\x89BMS\r\n\x1a\n", 1, 0, 112, 3, 1, *(0,) * 6, 1, 0, *(0, 0, 0, 1, 0, 0, 0, 1, 0), 0, 1, 2)
+        Path("part.fbx").write_bytes(b"Kaydara FBX Binary")
+        Path("burnish-import-assimp").write_bytes(b"#!/bin/sh\n[ $1 = fbx ] && tail -c 112 $0\nexit\n" + stream)
+        Path("burnish-import-assimp").chmod(0o755)
+        os.environ["BURNISH_IMPORTERS"] = os.getcwd()
+        self.addCleanup(os.environ.pop, "BURNISH_IMPORTERS")
+        self.assertEqual(burnish.load("part.fbx").vertices.tolist(), [[0, 0, 0], [1, 0, 0], [0, 1, 0]])
+        os.environ["BURNISH_IMPORTERS"] = "/"
+        with self.assertRaisesRegex(burnish.Error, "^part.fbx: burnish-import-assimp reads such files and is not installed"):
+            burnish.load("part.fbx")
+
+
 class Errors(unittest.TestCase):
     def test_lines(self):
         for options, flag in (
