@@ -51,14 +51,14 @@ static const option options[] = {
      "fullscreen,grid-absolute,hdri-filename,interaction-style,inverse,invert-zoom,"
      "loading-progress,metadata,normal-glyphs,notifications,point-sprites,"
      "point-sprites-absolute-size,progress,raytracing-denoise,remove-empty-file-groups,"
-     "scalar-coloring,scene-hierarchy,trackball,unlit,volume,volume-inverse,watch",
+     "scalar-coloring,scalars,scene-hierarchy,trackball,unlit,volume,volume-inverse,watch",
      "cdikmnorsuvyz", SWITCH, NULL, ""},
     {"animation-speed-factor,backdrop-color,backdrop-opacity,base-ior,blur-coc,colormap,"
      "colormap-discretization,command-script,define,emissive-factor,final-shader,font-color,"
      "font-file,font-scale,frame-rate,grid-color,grid-reflection,grid-subdivisions,grid-unit,"
      "interaction-test-play,interaction-test-record,light-intensity,load-statefile,metallic,"
      "multi-file-mode,multi-file-regex,normal-glyphs-scale,normal-scale,point-sprites-size,"
-     "position,raytracing-samples,reset,roughness,save-statefile,screenshot-filename,"
+     "position,raytracing-samples,ref-threshold,reset,roughness,save-statefile,screenshot-filename,"
      "statefile-filename,texture-base-color,texture-emissive,texture-matcap,texture-material,"
      "texture-normal,textures-transform,volume-opacity-file,volume-opacity-map,x-color,y-color,"
      "z-color",
@@ -168,7 +168,8 @@ static int take_long(const char *word, const char *next) {
                        (!own || !own->value ||
                         (own->handler != cli_flag_integer &&
                          is_one_of(equals + 1, " 0 false no off 1 true yes on ")));
-    if (!line.is_f3d && ((own && !is_set) || strcmp(name, "no-render") == 0)) {
+    if ((!line.is_f3d && ((own && !is_set) || strcmp(name, "no-render") == 0)) ||
+        strncmp(name, "scalars=", 8) == 0) { /* whose name is optional in f3d */
         row = NULL;
     }
     const int has_value = row ? !row->is_switch : own && own->value && !own->optional;
@@ -235,7 +236,8 @@ char **f3d_translate(int *argc, char **argv, int first) {
         line.is_quiet |= strcmp(argv[i], "-q") == 0 && !line.is_f3d;
         line.has_image |= strncmp(argv[i], "--hdri-file", 11) == 0;
         const int is_version = line.is_f3d && strcmp(argv[i], "--version") == 0;
-        if (is_version || strcmp(argv[i], "--list-readers") == 0) {
+        if (is_version || strcmp(argv[i], "--list-readers") == 0 ||
+            strcmp(argv[i], "--readers-list") == 0) {
             fputs(is_version ? "burnish, which reads f3d's options\nVersion: 3.5.0\n" : readers,
                   stdout);
             *argc = cli_exit_code(cli_finish_output(&error), &error);

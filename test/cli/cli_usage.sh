@@ -123,6 +123,7 @@ expect 0 '' $freecad --output x.png ./part.obj
 same "a thumbnail" "$(size_of)" '64 48'
 expect 0 '' part.obj --output=x.jpg -qatgx --camera-position -20,15,9 --edges --camera-view-up +Y
 check "a PNG of this name" grep -q PNG x.jpg
+gives 0 --scalars part.obj --output=x.png
 for words in 'none.obj --output=x.png' 'part.obj --output=x.png --frobnicate' 'part.obj --output=no/x.png' 'part.obj --output=x.png -w'; do
     gives 1 $words
 done
