@@ -14,6 +14,16 @@
 
 #ifdef _WIN32
 #include <windows.h>
+
+burnish_wide_name burnish_widen(const char *name) {
+    burnish_wide_name wide = {0};
+    const int room = sizeof wide.text / sizeof *wide.text;
+    if (!MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, name, -1, wide.text, room) &&
+        !MultiByteToWideChar(CP_ACP, 0, name, -1, wide.text, room)) {
+        *wide.text = 0;
+    }
+    return wide;
+}
 #else
 #include <poll.h>
 #endif
@@ -270,7 +280,10 @@ static int open_temporary(temporary *t) {
 /* rename that replaces, also on Windows; returns 0 or an errno. */
 static int replace(const char *name, const char *target) {
 #ifdef _WIN32
-    return MoveFileExA(name, target, MOVEFILE_REPLACE_EXISTING) ? 0 : EACCES;
+    return MoveFileExW(burnish_widen(name).text, burnish_widen(target).text,
+                       MOVEFILE_REPLACE_EXISTING)
+               ? 0
+               : EACCES;
 #else
     return rename(name, target) == 0 ? 0 : errno;
 #endif
@@ -335,7 +348,7 @@ static burnish_status replace_file(const char *path, const char *target,
 /* The path without links, to be freed; NULL with errno. */
 static char *resolve(const char *path) {
 #ifdef _WIN32
-    return _fullpath(NULL, path, 0);
+    return _strdup(path);
 #else
     return realpath(path, NULL);
 #endif
@@ -373,7 +386,7 @@ static burnish_status write_content(const char *path, const content *what, burni
         return write_standard_output(what, error);
     }
     struct stat state = {0};
-    if (stat(path, &state) != 0) {
+    if (burnish_stat(path, &state) != 0) {
         return errno == ENOENT ? write_new(path, what, error) : fail_write(error, path, errno);
     }
     if (S_ISDIR(state.st_mode)) {

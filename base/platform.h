@@ -8,11 +8,23 @@
 
 #ifdef _WIN32
 #include <io.h>
+#include <wchar.h>
 
 #define O_CLOEXEC O_NOINHERIT
 #define EDQUOT ENOSPC
+
+/* Names of files are UTF-8, or else in the code page; a too long one becomes "", which no file has. */
+typedef struct burnish_wide_name {
+    wchar_t text[4096];
+} burnish_wide_name;
+burnish_wide_name burnish_widen(const char *name); /* output.c */
+#define open(name, ...) _wopen(burnish_widen(name).text, __VA_ARGS__)
+#define access(name, mode) _waccess(burnish_widen(name).text, mode)
+#define unlink(name) _wunlink(burnish_widen(name).text)
+#define burnish_stat(name, status) _wstat64(burnish_widen(name).text, status)
 #else
 #define O_BINARY 0
+#define burnish_stat stat
 #endif
 #ifndef O_NOCTTY
 #define O_NOCTTY 0

@@ -61,6 +61,7 @@ int cli_program_folder(char *folder, size_t size) {
 #ifdef __linux__
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #endif
 
 #include "base/close_descriptors.h"
@@ -172,7 +173,7 @@ int cli_write_all(int descriptor, const void *bytes, size_t size) {
 
 int cli_unnamed_file(void) {
 #ifdef __linux__
-    return memfd_create("burnish", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+    return (int)syscall(SYS_memfd_create, "burnish", MFD_CLOEXEC | MFD_ALLOW_SEALING);
 #else
     FILE *file = tmpfile(); /* its descriptor stays open until the process ends */
     return file ? dup(fileno(file)) : -1;

@@ -5,8 +5,6 @@
 #include <pthread.h>
 #include <signal.h>
 #include <sys/stat.h>
-#include <sys/syscall.h>
-#include <unistd.h>
 
 #if defined(__x86_64__)
 #define FIRST "GLIBC_2.2.5"
@@ -52,15 +50,10 @@ OLD_STAT(stat64, __xstat64, const char *file)
 OLD_STAT(lstat64, __lxstat64, const char *file)
 OLD_STAT(fstat64, __fxstat64, int file)
 
-/* Before 2.28 and 2.27; the argument that fcntl has for most commands is in a register. */
+/* Before 2.28; the argument that most commands have is in a register. */
 int old_fcntl(int file, int command, ...);
 __asm__(".symver old_fcntl,fcntl@" FIRST);
 int __wrap_fcntl64(int file, int command, long argument);
 int __wrap_fcntl64(int file, int command, long argument) {
     return old_fcntl(file, command, argument);
-}
-
-int __wrap_memfd_create(const char *name, unsigned flags);
-int __wrap_memfd_create(const char *name, unsigned flags) {
-    return (int)syscall(SYS_memfd_create, name, flags);
 }
