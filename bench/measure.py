@@ -81,17 +81,13 @@ class Contestant:
         self.process.wait()
 
 
-def draw(programs, picture, burnish, display):
-    """Draws {input, output, size, default} with burnish, or with f3d if that is None. Returns wall-clock milliseconds and the peak
-    of resident memory in KiB, or None if it fails. f3d takes one sample per pixel, without ambient occlusion. bench_peers_process
-    starts the program: a child's peak starts from its parent's, and Python's is large."""
-    command = ["f3d", "--dry-run", "--quiet", picture["input"], "--output", picture["output"], f"--resolution={picture['size']}"]
-    if burnish:
-        command = [burnish, "render", picture["input"], "-o", picture["output"], f"--resolution={picture['size']}", "--quiet"]
-        command += [] if picture.get("default") else ["--samples=1", "--look=plain"]
-    time.sleep(0.1) # the X server cleans up after f3d
-    done = subprocess.run([f"{programs}/bench_peers_process", *command], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          env=os.environ if burnish else dict(os.environ, DISPLAY=display), check=False)
+def run(build, command, display):
+    """Wall-clock milliseconds of a process, its peak of resident memory in KiB and its processor milliseconds; None if it fails.
+    bench_peers_process starts the program: a child's peak starts from its parent's, and Python's is large."""
+    done = subprocess.run([f"{build}/bench/peers/bench_peers_process", *command], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          env=dict(os.environ, DISPLAY=display), check=False)
+    if command[0] == "f3d":
+        time.sleep(0.1) # the X server cleans up after it
     return [float(word) for word in done.stdout.split()] if done.returncode == 0 else None
 
 
