@@ -18,9 +18,8 @@ import measure
 VARIANTS = {
     "burnish": ("family", "family-two-sided", "power", "schlick"),
     "llvmpipe": ("power", "power-srgb", "power-two-sided", "family", "schlick"),
-    "embree": ("family", "power"),
 }
-PACKAGES = {"burnish": "", "llvmpipe": "libegl-dev libgles-dev libegl-mesa0 libgl1-mesa-dri", "embree": "libembree-dev"}
+PACKAGES = {"burnish": "", "llvmpipe": "libegl-dev libgles-dev libegl-mesa0 libgl1-mesa-dri"}
 SCENES = ("bunny", "bunny16")
 FRAMES = 3
 
