@@ -210,11 +210,14 @@ typedef struct burnish_load_options {
     int plate; /* of a print project (3MF), by number from 1; 0: all of them, moved close
                               together. A number that the project lacks fails with ARGUMENT; a file
                               without plates ignores it */
-    burnish_thumbnail thumbnail; /* AUTO, NEVER or ONLY */
-    const char *hidden_parts;    /* names of burnish_contents.parts to leave out, between commas: *
+    struct burnish_project **project; /* NULL, or for loads of one file that differ only in plate,
+                                         plate 0 first: what that load has parsed, which the others
+                                         take. *project NULL at first; burnish_project_destroy() */
+    burnish_thumbnail thumbnail;      /* AUTO, NEVER or ONLY */
+    const char *hidden_parts; /* names of burnish_contents.parts to leave out, between commas: *
                                  is any text in them, ? any byte, and #1 the first part. A name that
                                  no part has is a warning. NULL: none; no parts: not used */
-    const char *only_parts; /* the same of the parts to keep. NULL: all. If no part has one of the
+    const char *only_parts;   /* the same of the parts to keep. NULL: all. If no part has one of the
                                  names, or nothing is left, loading fails with ARGUMENT. A negative
                                  volume is kept with the solids that it is subtracted from */
     double explode; /* [0, 1000]: each part is moved by this times the vector from the middle of all
@@ -257,6 +260,12 @@ static inline burnish_load_options burnish_load_options_default(void) {
     burnish_load_options_init(&options, BURNISH_LAYOUT(burnish_load_options));
     return options;
 }
+
+/* What is kept of a print project between loads of its plates. */
+typedef struct burnish_project burnish_project;
+
+/* Releases it; NULL is permitted. */
+BURNISH_API void burnish_project_destroy(burnish_project *project);
 
 /* A mesh. */
 typedef struct burnish_mesh burnish_mesh;

@@ -209,6 +209,7 @@ burnish_load_options cli_load_options(const cli_input *input) {
     options.variant = input->variant;
     options.root = input->root;
     options.plate = input->plate > 0 ? input->plate : 0;
+    options.project = input->project;
     options.hidden_parts = *input->hidden_parts ? input->hidden_parts : NULL;
     options.only_parts = *input->only_parts ? input->only_parts : NULL;
     options.explode = input->explode.given ? input->explode.value : 0;

@@ -52,7 +52,8 @@ typedef struct cli_input {
     int tessellation, strict, no_textures, no_libraries;
     cli_real animation_time;
     const char *animation, *variant, *root;
-    int plate;                                                     /* 0: all; CLI_PLATE_SHEET */
+    int plate;                 /* 0: all; CLI_PLATE_SHEET */
+    burnish_project **project; /* kept between loads of plates; NULL: is not */
     char hidden_parts[CLI_NAMES_SIZE], only_parts[CLI_NAMES_SIZE]; /* "": not given */
     cli_real explode;
     int thumbnail; /* burnish_thumbnail */

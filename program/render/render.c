@@ -140,6 +140,7 @@ static burnish_status write_output(render_result *result, burnish_error *error) 
 static burnish_status load_scene(render_result *result, burnish_error *error) {
     render_settings *settings = result->settings;
     settings->input.load.max_memory = settings->job.max_memory;
+    settings->input.load.project = settings->input.load.plate < 0 ? &result->project : NULL;
     burnish_status status =
         render_load(&settings->input, settings->job.threads, &result->mesh, error);
     result->seconds.load = burnish_seconds_now() - result->start;
@@ -210,6 +211,7 @@ static void release_result(render_result *result) {
     render_release_planes(&result->planes);
     render_drop_warnings(&result->warnings, 0);
     burnish_mesh_destroy(result->mesh);
+    burnish_project_destroy(result->project);
 }
 
 /* Sets the system's limits and enters the sandbox. *code is the exit code if the worker has done

@@ -96,6 +96,7 @@ typedef struct render_result {
     render_settings *settings;
     render_settings given; /* with --plate=sheet and --play: before they are prepared for a mesh */
     burnish_mesh *mesh;
+    burnish_project *project; /* with --plate=sheet */
     burnish_render_options *options;
     burnish_renderer *renderer;
     render_cell *cells;

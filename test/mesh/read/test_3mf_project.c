@@ -310,13 +310,22 @@ static void test_plates(void) {
 
 static void test_one_plate(void) {
     burnish_load_options options = burnish_load_options_default();
-    zip_list *zip =
-        begin_project(plated_model, "<config>" PLATE("1", "1") PLATE("7", "0") "</config>",
-                      "{'printable_area':['0x0','100x200']}");
-    end_zip(zip, 0);
-    options.plate = 7;
-    CHECK_OK(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL), fault);
-    CHECK1(got.part_count == 1 && got.plate_count == 2 && corner_is(0, 0, 120, 10, 0));
+    burnish_project *project = NULL;
+    zip_list *zip = NULL;
+    for (int i = 3; i >= 0; --i) { /* 3 fills the project, 2 takes it, and 1 is another file */
+        zip = begin_project(plated_model,
+                            i == 1 ? "<config>" PLATE("7", "1") PLATE("1", "0") "</config>"
+                                   : "<config>" PLATE("1", "1") PLATE("7", "0") "</config>",
+                            "{'printable_area':['0x0','100x200']}");
+        end_zip(zip, 0);
+        options.plate = i == 3 ? 0 : 7;
+        options.project = i > 0 ? &project : NULL;
+        CHECK_OK(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL), fault);
+        CHECK1(got.part_count == (i == 3 ? 4 : 1) && got.plate_count == 2 && got.unit);
+        CHECK1(project);
+        CHECK1(i == 3 || (i == 1 ? corner_is(0, 0, 0, 0, 0) : corner_is(0, 0, 120, 10, 0)));
+    }
+    burnish_project_destroy(project);
     options.plate = 2;
     check_fault(run_reader(BURNISH_FORMAT_3MF, zip->bytes, zip->size, &options, NULL),
                 BURNISH_STATUS_ARGUMENT, "mesh.3mf: plate 2 does not exist; its plates are 1 to 7");

@@ -234,34 +234,74 @@ static void read_parts(burnish_threemf *threemf) {
     }
 }
 
-static void close_file(burnish_threemf *threemf) {
-    const burnish_context *context = threemf->memory->context;
-    for (size_t i = 0; i < threemf->textures.count; ++i) {
+#define LISTS(DO)                                                                                  \
+    DO(parts)                                                                                      \
+    DO(resources) DO(objects) DO(components) DO(items) DO(vertices) DO(triangles) DO(groups)       \
+        DO(colors) DO(coordinates) DO(ranges) DO(numbers) DO(textures) DO(rods) DO(settings)       \
+            DO(volumes) DO(instances) DO(plates) DO(filaments) DO(heights) DO(owners)
+
+static void release_lists(burnish_threemf *threemf, const burnish_context *context) {
+    for (size_t i = 0; i < threemf->textures.count && !threemf->shares_paths; ++i) {
         burnish_release(context, threemf->textures.items[i].path);
     }
-    burnish_release(context, threemf->parts.items);
-    burnish_release(context, threemf->resources.items);
-    burnish_release(context, threemf->objects.items);
-    burnish_release(context, threemf->components.items);
-    burnish_release(context, threemf->items.items);
-    burnish_release(context, threemf->vertices.items);
-    burnish_release(context, threemf->triangles.items);
-    burnish_release(context, threemf->groups.items);
-    burnish_release(context, threemf->colors.items);
-    burnish_release(context, threemf->coordinates.items);
-    burnish_release(context, threemf->ranges.items);
-    burnish_release(context, threemf->numbers.items);
-    burnish_release(context, threemf->textures.items);
-    burnish_release(context, threemf->rods.items);
-    burnish_release(context, threemf->settings.items);
-    burnish_release(context, threemf->volumes.items);
-    burnish_release(context, threemf->instances.items);
-    burnish_release(context, threemf->plates.items);
-    burnish_release(context, threemf->filaments.items);
-    burnish_release(context, threemf->heights.items);
-    burnish_release(context, threemf->owners.items);
+#define RELEASE(list) burnish_release(context, threemf->list.items);
+    LISTS(RELEASE)
     burnish_release(context, threemf->middles);
-    burnish_zip_close(&threemf->zip);
+}
+
+/* ---- Between loads ---- */
+
+struct burnish_project {
+    burnish_threemf parsed; /* all parts are read, and no plate is chosen */
+    const burnish_context *context;
+    const char *unit;
+    size_t size; /* of the file */
+    uint32_t crc;
+};
+
+void burnish_project_destroy(burnish_project *project) {
+    if (project) {
+        release_lists(&project->parsed, project->context);
+        burnish_release(project->context, project);
+    }
+}
+
+/* The caller's project keeps what was parsed. */
+static burnish_project *keep_project(const burnish_threemf *threemf, uint32_t crc) {
+    burnish_project *project =
+        burnish_allocate_zeroed(threemf->memory, 1, sizeof *project, "a project");
+    if (project) {
+        *project =
+            (burnish_project){*threemf, threemf->memory->context, threemf->reader->mesh->unit,
+                              threemf->reader->input->size, crc};
+        project->parsed.middles = NULL;
+    }
+    return project;
+}
+
+/* Takes a copy of what was parsed, in place of parsing. */
+static void take_project(burnish_threemf *threemf, const burnish_project *project) {
+    const burnish_threemf *from = &project->parsed, own = *threemf;
+    *threemf = *from;
+    threemf->reader = own.reader;
+    threemf->memory = own.memory;
+    threemf->zip = own.zip;
+    threemf->thumbnail = own.thumbnail;
+    threemf->middles = own.middles;
+    threemf->middle_count = threemf->middle_room = 0;
+    threemf->shares_paths = 1;
+#define COPY(list)                                                                                 \
+    threemf->list.capacity = from->list.count + 1;                                                 \
+    threemf->list.items = burnish_allocate(own.memory, threemf->list.capacity,                     \
+                                           sizeof *threemf->list.items, "a project");              \
+    threemf->list.count = threemf->list.items ? from->list.count : 0;                              \
+    if (threemf->list.count > 0) {                                                                 \
+        memcpy(threemf->list.items, from->list.items,                                              \
+               threemf->list.count * sizeof *threemf->list.items);                                 \
+    }
+    LISTS(COPY)
+    threemf->reader->mesh->unit = project->unit;
+    threemf->status = own.memory->status;
 }
 
 /* The mesh takes the plates and filaments. */
@@ -297,7 +337,8 @@ static void replace_model(burnish_threemf *threemf) {
     }
 }
 
-static void read_model(burnish_threemf *threemf) {
+/* Everything up to the choice of a plate. */
+static void parse_model(burnish_threemf *threemf) {
     read_parts(threemf);
     if (threemf->status == BURNISH_STATUS_OK) {
         sort_resources(threemf);
@@ -306,7 +347,31 @@ static void read_model(burnish_threemf *threemf) {
         burnish_threemf_place_project(threemf);
         threemf->status = threemf->memory->status;
     }
-    if (threemf->status == BURNISH_STATUS_OK && burnish_threemf_mix(threemf)) {
+    if (threemf->status == BURNISH_STATUS_OK) {
+        burnish_threemf_mix(threemf);
+        threemf->status = threemf->memory->status;
+    }
+}
+
+static void read_model(burnish_threemf *threemf) {
+    const burnish_reader_input *input = threemf->reader->input;
+    burnish_project **slot = input->options->project;
+    const uint32_t crc = slot ? burnish_inflate_crc32(0, input->bytes, input->size) : 0;
+    if (!slot || !*slot || (*slot)->size != input->size || (*slot)->crc != crc) {
+        parse_model(threemf);
+        slot = slot && !*slot && input->options->plate == 0 &&
+                       input->options->thumbnail != BURNISH_THUMBNAIL_ONLY
+                   ? slot
+                   : NULL;
+        if (slot && threemf->status == BURNISH_STATUS_OK) {
+            *slot = keep_project(threemf, crc);
+            threemf->status = threemf->memory->status;
+        }
+    }
+    if (slot && *slot) {
+        take_project(threemf, *slot);
+    }
+    if (threemf->status == BURNISH_STATUS_OK) {
         burnish_threemf_write_scene(threemf);
         burnish_threemf_settle_values(threemf);
         take_contents(threemf);
@@ -334,11 +399,16 @@ static burnish_status threemf_read(burnish_reader *reader) {
         burnish_reader_warn_group(reader, &threemf.mixed);
         burnish_reader_warn_group(reader, &threemf.slices);
     }
-    close_file(&threemf);
+    release_lists(&threemf, threemf.memory->context);
+    burnish_zip_close(&threemf.zip);
     return threemf.status;
 }
 
 #else
+
+void burnish_project_destroy(burnish_project *project) {
+    (void)project;
+}
 
 static burnish_status threemf_read(burnish_reader *reader) {
     return burnish_reader_fail(

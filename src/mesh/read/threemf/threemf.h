@@ -204,6 +204,7 @@ typedef struct burnish_threemf {
     const burnish_zip_part *thumbnail; /* NULL: no relationship names one */
     int is_empty;                      /* 1: nothing is built */
     int needs_all_parts;               /* 1: no part may be skipped */
+    int shares_paths;                  /* 1: a project owns those of textures */
 
     BURNISH_THREEMF_LIST(burnish_threemf_part) parts;
     BURNISH_THREEMF_LIST(burnish_threemf_resource) resources; /* sorted, once all are there */
