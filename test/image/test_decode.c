@@ -428,10 +428,11 @@ static const char obj[] = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1
                           "usemtl a\nf 1/1 2/2 3/3\n";
 
 static void test_obj(void) {
-    folder f = {.library =
-                    "newmtl a\nKd 0 0 0\nNs 40\nmap_Kd -s 2 3 1 -o 0.5 0.25 -mm 0 1 "
-                    "tex\\my skin.png\nMAP_KS -clamp on ../../x.png\nmap_d tex\\my skin.png\n"
-                    "bump -bm 0.5 h.png\nmap_Ke C:\\missing\\missing.png\n"};
+    folder f = {
+        .library =
+            "newmtl a\nKd 0 0 0\nmap_Ka a.png\nmap_Kd -s 2 3 1 -o 0.5 0.25 -mm 0 1 "
+            "tex\\my skin.png\nmap_Ka a.png\nMAP_KS -clamp on ../../x.png\nmap_d tex\\my skin.png\n"
+            "bump -bm 0.5 h.png\nmap_Ke C:\\missing\\missing.png\n"};
     const burnish_load_options options = burnish_load_options_default();
     burnish_mesh *mesh = load_text(&f, "m.obj", obj, &options);
     const burnish_material *material = burnish_mesh_get_material(mesh, 0);
@@ -458,7 +459,7 @@ static void test_obj(void) {
 }
 
 static void test_limits(void) {
-    folder f = {.library = "newmtl a\nmap_Kd x.png\nmap_Ks x.png\nmap_Ke y.png\n"};
+    folder f = {.library = "newmtl a\nmap_Ka x.png\nmap_Ks x.png\nmap_Ke y.png\n"};
     burnish_load_options options = burnish_load_options_default();
     options.max_texture_pixels = SIDE * SIDE;
     options.threads = 1; /* several load what is beyond the limit twice */

@@ -539,6 +539,8 @@ static const struct {
     {"a.obj", TRIANGLE "v 1 1\nv x 1 1\nf 1 2 3\nf 2 4 3\nf 2 5 3\n", 1,
      "a.obj:4: vertex has 2 numbers; write v x y z or v x y z r g b; it was left out (and 1 more "
      "like it)"},
+    {"a.obj", "v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n", 1,
+     "a.obj: vertices have two numbers, x and y; z was taken as 0"},
     {"a.obj", TRIANGLE "f 1 2 9\nf 1 2 3\nf 1 3 2 77\nv 0 0 1\nf 1 4 2\nv nan 0 0\n", 2,
      "a.obj:4: face refers to vertex 9, but the file has 5; correct the index; it was left out "
      "(and 2 more like it)"},

@@ -9,7 +9,8 @@ typedef struct burnish_mtl_map {
     char *file; /* NULL: none */
     float scale[2], offset[2], bump;
     int is_clamped;
-    int is_height; /* 1: a height map, unless it looks like a normal map */
+    int is_ambient; /* 1: of map_Ka, which map_Kd replaces */
+    int is_height;  /* 1: a height map, unless it looks like a normal map */
 } burnish_mtl_map;
 
 typedef struct burnish_mtl_entry {

@@ -12,15 +12,15 @@
 /* Statements by name, lower case. */
 static const struct {
     const char *word;
-    burnish_texture_slot slot; /* COUNT: known, and not drawn */
+    burnish_texture_slot slot;
     int is_height;
 } statements[] = {
-    {"map_kd", BURNISH_TEXTURE_COLOR, 0},      {"map_ks", BURNISH_TEXTURE_SPECULAR, 0},
-    {"map_ns", BURNISH_TEXTURE_EXPONENT, 0},   {"map_ke", BURNISH_TEXTURE_EMISSIVE, 0},
-    {"map_d", BURNISH_TEXTURE_OPACITY, 0},     {"map_opacity", BURNISH_TEXTURE_OPACITY, 0},
-    {"map_bump", BURNISH_TEXTURE_NORMAL, 1},   {"bump", BURNISH_TEXTURE_NORMAL, 1},
-    {"norm", BURNISH_TEXTURE_NORMAL, 0},       {"map_kn", BURNISH_TEXTURE_NORMAL, 0},
-    {"map_ka", BURNISH_TEXTURE_SLOT_COUNT, 0}, /* mostly map_Kd once more */
+    {"map_kd", BURNISH_TEXTURE_COLOR, 0},    {"map_ks", BURNISH_TEXTURE_SPECULAR, 0},
+    {"map_ns", BURNISH_TEXTURE_EXPONENT, 0}, {"map_ke", BURNISH_TEXTURE_EMISSIVE, 0},
+    {"map_d", BURNISH_TEXTURE_OPACITY, 0},   {"map_opacity", BURNISH_TEXTURE_OPACITY, 0},
+    {"map_bump", BURNISH_TEXTURE_NORMAL, 1}, {"bump", BURNISH_TEXTURE_NORMAL, 1},
+    {"norm", BURNISH_TEXTURE_NORMAL, 0},     {"map_kn", BURNISH_TEXTURE_NORMAL, 0},
+    {"map_ka", BURNISH_TEXTURE_COLOR, 0}, /* mostly map_Kd once more, which replaces it */
 };
 
 /* Options, and how many numbers follow at most: these are read, ... */
@@ -129,7 +129,7 @@ void burnish_mtl_read_map(burnish_reader *reader, burnish_mtl_entry *entry, burn
         const int count = read_values(&words, options[i].most, values, &token, &has_token);
         set_option((int)i, values, count, &map);
     }
-    if (!has_token || statements[which].slot == BURNISH_TEXTURE_SLOT_COUNT) {
+    if (!has_token) {
         return;
     }
     burnish_mtl_map *to = &entry->maps[statements[which].slot];
@@ -138,9 +138,11 @@ void burnish_mtl_read_map(burnish_reader *reader, burnish_mtl_entry *entry, burn
         file.bytes += 1;
         file.size -= 2;
     }
-    if (to->file || memchr(file.bytes, 0, file.size)) {
+    map.is_ambient = is_word(keyword, "map_ka");
+    if ((to->file && to->is_ambient <= map.is_ambient) || memchr(file.bytes, 0, file.size)) {
         return; /* the first counts */
     }
+    burnish_release(reader->mesh->memory.context, to->file);
     map.is_height = statements[which].is_height;
     map.file = copy_name(&reader->mesh->memory, reader->input->name, file);
     *to = map;

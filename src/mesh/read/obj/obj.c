@@ -7,6 +7,7 @@
  * eight hexadecimal digits each). */
 #include <stdlib.h>
 
+#include "base/numbers.h"
 #include "mesh/read/common/damage.h"
 #include "mesh/read/common/parts.h"
 #include "mesh/read/common/points.h"
@@ -302,8 +303,32 @@ static burnish_status make_points(obj_state *obj) {
                : status;
 }
 
+/* If all vertices of faces or lines have two numbers, these are x and y, and no damage. */
+static void settle_flat(burnish_reader *reader) {
+    const size_t count = reader->mesh->streams[BURNISH_POSITION].count;
+    float *positions = burnish_positions(reader->mesh);
+    size_t flat = 0;
+    while (flat < count && burnish_is_finitef(positions[3 * flat]) &&
+           !burnish_is_finitef(positions[3 * flat + 2])) {
+        ++flat;
+    }
+    if (count == 0 || flat < count) {
+        return;
+    }
+    for (size_t i = 0; i < count; ++i) {
+        positions[3 * i + 2] = 0;
+    }
+    reader->damage.count -= count;
+    burnish_fail(&reader->damage.first, BURNISH_STATUS_OK,
+                 "%s: a face has a corner that is not a vertex", reader->input->name);
+    burnish_reader_warn(reader, NULL, "vertices have two numbers, x and y; z was taken as 0");
+}
+
 static burnish_status obj_finish(obj_state *obj) {
     burnish_mesh_data *mesh = obj->reader->mesh;
+    if (mesh->triangle_count > 0 || obj->segment_count > 0) {
+        settle_flat(obj->reader);
+    }
     const burnish_warning_group *groups[] = {&obj->elements, &obj->few_corners, &obj->colors,
                                              &obj->normals,  &obj->free_form,   &obj->unknown};
     /* without faces, lines and points are what is drawn */

@@ -89,7 +89,7 @@ static void read_vertex(obj_parser *obj, const uint8_t *at) {
         }
     }
     float *position = burnish_chunk_append(obj->chunk, BURNISH_POSITION);
-    for (int i = 0; i < 3 && is_bad; ++i) {
+    for (int i = count == 2 ? 2 : 0; i < 3 && is_bad; ++i) { /* x and y may be all: obj.c */
         values[i] = __builtin_nanf("");
     }
     if (position) {
