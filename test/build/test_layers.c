@@ -43,7 +43,7 @@ static const struct layer {
     {"src/mesh/data", "base core burnish/core.h burnish/mesh.h"},
     {"src/mesh/build", "base core mesh/build/normals mesh/data"},
     {"src/mesh/build/normals", "base core mesh/data"},
-    {"src/mesh/read", "base core image/decode mesh/data mesh/read/common mesh/read/io"},
+    {"src/mesh/read", "base core image/decode mesh/data mesh/read/common mesh/read/io mesh/read/ply"},
     {"src/mesh/read/common", "base core image/decode mesh/data mesh/read/io"},
     {"src/mesh/read/io", "base core image/decode mesh/data burnish/core.h"},
     {"src/mesh/read/cloud", "base mesh/read/io mesh/read/ply"},

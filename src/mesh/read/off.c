@@ -3,12 +3,14 @@
  *
  * The first word says what a vertex has: [ST][C][N]OFF. Many files say plain OFF but have colours,
  * as MeshLab writes them, or normals, which settle_values recognises from the rows. Colours count
- * to 255 if written without a decimal point, to 1 with one. */
+ * to 255 if written without a decimal point, to 1 with one. A binary file is read as PLY. */
+#include "base/bytes.h"
 #include "mesh/read/common/local_origin.h"
 #include "mesh/read/common/points.h"
 #include "mesh/read/common/textures.h"
 #include "mesh/read/common/triangulate.h"
 #include "mesh/read/io/parallel_text.h"
+#include "mesh/read/ply/ply_header.h"
 
 enum { COUNT_MOST = 3, VALUES_MOST = 12, SAMPLE_ROWS = 4096 };
 
@@ -20,7 +22,7 @@ typedef struct off_state {
     int has_normals, has_colors, has_texcoords; /* of vertices */
     int counts_to_1; /* colours of vertices do, even in a row without a decimal point */
     int keeps_texcoords;
-    int in_faces;
+    int in_faces, is_binary;
     size_t vertex_count, face_count;
     burnish_warning_group few_corners, bad_colors;
 } off_state;
@@ -73,7 +75,7 @@ static size_t read_keyword(off_state *off, burnish_token word, int *has_dimensio
     return !is_it ? 0 : (size_t)(word.bytes - first) + ((*word.bytes | 0x20) == 'o' ? 3 : 0);
 }
 
-static burnish_status off_fail(off_state *off, const burnish_lexer *lexer, const char *text) {
+static burnish_status off_fail(const off_state *off, const burnish_lexer *lexer, const char *text) {
     return burnish_reader_fail(off->reader, BURNISH_STATUS_FORMAT, lexer->next, "%s", text);
 }
 
@@ -98,8 +100,9 @@ static burnish_status read_head(off_state *off, burnish_lexer *lexer) {
         if (!skip_empty_lines(lexer) || !burnish_lexer_token(lexer, &word)) {
             return off_fail(off, lexer, "the file ends before its counts; the file is truncated");
         }
-        if (i == 0 && burnish_token_is(word, "BINARY")) {
-            return off_fail(off, lexer, "binary OFF is not supported; export it as text");
+        off->is_binary = i == 0 && burnish_token_is(word, "BINARY");
+        if (off->is_binary) {
+            return BURNISH_STATUS_OK;
         }
         if (burnish_parse_integer(word, &counts[i]) != BURNISH_NUMBER_OK || counts[i] < 0) {
             return burnish_reader_fail(
@@ -470,11 +473,50 @@ static burnish_status settle_face_colors(off_state *off) {
     return status;
 }
 
+/* After OFF BINARY all numbers have 32 bits, the highest byte first: three counts, floats of vertices,
+ * and for each face its corners and its colour, each after how many there are. */
+static burnish_status read_binary(const off_state *off, burnish_lexer lexer) {
+    enum { COUNTS = 3 * 4 };
+    burnish_reader *reader = off->reader;
+    const burnish_memory *memory = &reader->mesh->memory;
+    burnish_ply_header header = {.encoding = BURNISH_PLY_BIG_ENDIAN};
+    burnish_ply_property property = {.type = BURNISH_PLY_FLOAT32, .name = {lexer.next, 0}};
+    burnish_ply_element element = {.kind = BURNISH_PLY_ELEMENT_VERTEX};
+    reader->is_binary = 1;
+    if (!burnish_lexer_next_line(&lexer) || lexer.end - lexer.next < COUNTS) {
+        return off_fail(off, &lexer, "the file ends before its counts; the file is truncated");
+    }
+    header.body = element.at = lexer.next + COUNTS;
+    element.count = __builtin_bswap32(burnish_load32(lexer.next));
+    burnish_ply_add_element(reader, &header, element);
+    for (int role = BURNISH_PLY_X; role <= BURNISH_PLY_T && !memory->status; ++role) {
+        if (role < BURNISH_PLY_NX || (role < BURNISH_PLY_RED ? off->has_normals
+                                      : role < BURNISH_PLY_S ? off->has_colors
+                                                             : off->has_texcoords)) {
+            property.role = (burnish_ply_role)role;
+            burnish_ply_add_property(reader, &header, property);
+        }
+    }
+    element.kind = BURNISH_PLY_ELEMENT_FACE;
+    element.count = __builtin_bswap32(burnish_load32(lexer.next + 4));
+    property.type = property.count_type = BURNISH_PLY_UINT32;
+    for (int list = 0; list < 2 && !memory->status; ++list) {
+        property.role = list == 0 ? BURNISH_PLY_CORNERS : BURNISH_PLY_OTHER;
+        if (list > 0 || burnish_ply_add_element(reader, &header, element) == BURNISH_STATUS_OK) {
+            burnish_ply_add_property(reader, &header, property);
+        }
+    }
+    return burnish_ply_read_described(reader, &header, memory->status);
+}
+
 static burnish_status off_read(burnish_reader *reader) {
     off_state off = {.reader = reader};
     burnish_lexer lexer = burnish_lexer_open(reader->input->bytes, reader->input->size, 0);
     burnish_status status = read_head(&off, &lexer);
     const uint8_t *at = lexer.next;
+    if (status == BURNISH_STATUS_OK && off.is_binary) {
+        return read_binary(&off, lexer);
+    }
     reader->is_wide = 1;
     off.keeps_texcoords = burnish_reader_keeps_coordinates(reader, 0);
     if (status == BURNISH_STATUS_OK) {

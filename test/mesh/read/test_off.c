@@ -140,12 +140,25 @@ static void test_odd_lines(void) {
     }
 }
 
+#define O "\0\0\0\0"
+#define I "\77\200\0\0"
+
+static void test_binary(void) {
+    static const char text[] = "CNOFF BINARY\n\0\0\0\3\0\0\0\1" O O O O O O I I O O I I O O O O I O
+        I O O O I O O O I I O O O "\0\0\0\3" O "\0\0\0\1\0\0\0\2" O;
+    const burnish_load_options options = burnish_load_options_default();
+    burnish_mesh *mesh = load_bytes(text, sizeof text - 1, "a.off", &options);
+    CHECK1(mesh && color_is_at(mesh, 0, 0, 0xFF0000FF) && color_is_at(mesh, 1, 0, 0x00FF0000) &&
+           color_is_at(mesh, 0, 1, 0xFF000000) && burnish_mesh_get_view(mesh)->normals[2] == 1);
+    burnish_mesh_destroy(mesh);
+}
+
 static void test_messages(void) {
     static const struct {
         const char *text, *message;
     } cases[] = {
         {"OFF\n", "a.off:1: the file ends before its counts; the file is truncated"},
-        {"OFF BINARY\n", "a.off:1: binary OFF is not supported; export it as text"},
+        {"OFF BINARY\n", "a.off: byte 11: the file ends before its counts; the file is truncated"},
         {"4OFF\n1 1 1\n", "a.off:1: only vertices of 3 dimensions are supported; export OFF"},
         {"OFF\n3 -1 0\n",
          "a.off:2: \"-1\" is not a count; write OFF, then the counts of vertices, faces and edges"},
@@ -181,6 +194,7 @@ int main(int count, char **arguments) {
     RUN(test_unnamed_values());
     RUN(test_face_colors());
     RUN(test_odd_lines());
+    RUN(test_binary());
     RUN(test_messages());
     return test_end("off");
 }
