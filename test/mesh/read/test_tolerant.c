@@ -585,6 +585,8 @@ static const struct {
      "# .pcd v.7\nversion .7\nfields x y z\nsize 4 4 4\ntype f f f\ncount 1 1 1\nwidth 2\n"
      "height 1\npoints 2\ndata ASCII\n0 0 0\n1 1 1\n",
      2, NULL},
+    {"a.pcd", "VERSION .7\nFIELDS x y z\nPOINTS 2\nDATA ascii\n0.5,0,1\n1, 1, 1\n", 2,
+     "a.pcd:5: commas or semicolons separate values"},
     {"a.ply", "\n# by x\ncomment y\n  " PLY_XYZ(3) PLY_FACES(1) PLY_TRIANGLE "3 0 1 2\n", 1,
      "a.ply: blanks or comments before \"ply\" were ignored"},
     {"a.off",

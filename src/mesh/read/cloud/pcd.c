@@ -3,6 +3,7 @@
  * organized cloud. */
 #include "base/bytes.h"
 #include "base/memory.h"
+#include "mesh/read/cloud/separators.h"
 #include "mesh/read/io/budget.h"
 #include "mesh/read/io/streaming.h"
 #include "mesh/read/ply/ply_header.h"
@@ -284,6 +285,19 @@ static burnish_status unpack_records(pcd_file *pcd) {
     return status;
 }
 
+/* Text in which commas or semicolons separate values, though the format has blanks. */
+static burnish_status accept_separators(pcd_file *pcd) {
+    burnish_reader *reader = pcd->reader;
+    const size_t at = (size_t)(pcd->header.body - reader->input->bytes);
+    const burnish_status status = burnish_blank_separators(reader, at, &pcd->unpacked);
+    if (pcd->unpacked.bytes) {
+        pcd->header.body = pcd->header.elements[0].at = reader->input->bytes + at;
+        reader->counted = NULL;
+        burnish_reader_warn(reader, pcd->header.body, "commas or semicolons separate values");
+    }
+    return status;
+}
+
 static burnish_status pcd_read(burnish_reader *reader) {
     const burnish_reader_input *input = reader->input;
     pcd_file pcd = {.reader = reader, .width = -1, .height = -1, .points = -1};
@@ -297,8 +311,12 @@ static burnish_status pcd_read(burnish_reader *reader) {
     if (status == BURNISH_STATUS_OK && pcd.data == PCD_COMPRESSED) {
         status = input->streamed ? burnish_stop_streaming(reader) : unpack_records(&pcd);
     }
+    if (status == BURNISH_STATUS_OK && pcd.data == PCD_ASCII) {
+        status = accept_separators(&pcd);
+    }
     status = burnish_ply_read_described(reader, &pcd.header, status);
     reader->input = input;
+    reader->counted = NULL;
     burnish_release(reader->mesh->memory.context, (void *)(uintptr_t)pcd.unpacked.bytes);
     return status;
 }

@@ -2,6 +2,7 @@
  * first, unless a line of names above says otherwise; then an intensity, a colour, a normal, as the
  * values suggest. Blanks, commas or semicolons separate them. Lines above the first row, such as the
  * count of PTS, are ignored. */
+#include "mesh/read/cloud/separators.h"
 #include "mesh/read/io/streaming.h"
 #include "mesh/read/ply/ply_header.h"
 
@@ -74,9 +75,13 @@ static void copy_blank(const uint8_t *bytes, size_t size, uint8_t separator, uin
     }
 }
 
-/* Gives the reader an input with blanks in place of separators. */
-static burnish_status blank_separators(xyz_file *xyz, uint8_t separator) {
-    burnish_reader *reader = xyz->reader;
+burnish_status burnish_blank_separators(burnish_reader *reader, size_t at,
+                                        burnish_reader_input *blank) {
+    const uint8_t separator =
+        find_separator(reader->input->bytes + at, burnish_reader_head(reader) - at);
+    if (!separator) {
+        return BURNISH_STATUS_OK;
+    }
     if (reader->input->streamed) {
         return burnish_stop_streaming(reader);
     }
@@ -86,9 +91,9 @@ static burnish_status blank_separators(xyz_file *xyz, uint8_t separator) {
         return reader->mesh->memory.status;
     }
     copy_blank(reader->input->bytes, reader->input->size, separator, copy);
-    xyz->blank = *reader->input;
-    xyz->blank.bytes = copy;
-    reader->input = &xyz->blank;
+    *blank = *reader->input;
+    blank->bytes = copy;
+    reader->input = blank;
     return BURNISH_STATUS_OK;
 }
 
@@ -292,9 +297,8 @@ static burnish_status describe_columns(xyz_file *xyz) {
 static burnish_status xyz_read(burnish_reader *reader) {
     const burnish_reader_input *input = reader->input;
     const size_t head = burnish_reader_head(reader);
-    const uint8_t separator = find_separator(input->bytes, head);
     xyz_file xyz = {.reader = reader};
-    burnish_status status = separator ? blank_separators(&xyz, separator) : BURNISH_STATUS_OK;
+    burnish_status status = burnish_blank_separators(reader, 0, &xyz.blank);
     if (status == BURNISH_STATUS_OK && !take_xyz_sample(&xyz, reader->input->bytes, head)) {
         status = burnish_reader_fail(reader, BURNISH_STATUS_FORMAT, reader->input->bytes,
                                      "no line begins with three numbers, x, y and z; if it is a "
