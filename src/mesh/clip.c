@@ -231,19 +231,19 @@ static burnish_status fail_empty(const burnish_mesh *mesh, const burnish_clip_pl
                                  burnish_error *error) {
     const double *n = plane->normal, *o = mesh->view.origin; /* as the file's coordinates have it */
     return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
-                        "clip: all %s beyond the plane %g,%g,%g,%g; negate all four "
+                        "clip: all of the mesh is beyond the plane %g,%g,%g,%g; negate all four "
                         "numbers, or change the last one",
-                        mesh->splats ? "triangles are" : "of the mesh is", n[0], n[1], n[2],
-                        plane->offset + n[0] * o[0] + n[1] * o[1] + n[2] * o[2]);
+                        n[0], n[1], n[2], plane->offset + n[0] * o[0] + n[1] * o[1] + n[2] * o[2]);
 }
 
-static burnish_status clip_points(burnish_mesh *mesh, const burnish_clip_plane *plane,
+/* is_cut: 1 if the plane has cut something else. */
+static burnish_status clip_points(burnish_mesh *mesh, const burnish_clip_plane *plane, int is_cut,
                                   burnish_error *error) {
     const size_t kept = keep_points(mesh, plane, 1);
     if (kept == 0) {
         return fail_empty(mesh, plane, error);
     }
-    if (kept < mesh->view.vertex_count) {
+    if (is_cut || kept < mesh->view.vertex_count) {
         keep_points(mesh, plane, 0);
         mesh->view.cuts[mesh->view.cut_count++] = *plane;
         mesh->view.vertex_count = mesh->info.point_count = kept;
@@ -255,7 +255,7 @@ static burnish_status clip_points(burnish_mesh *mesh, const burnish_clip_plane *
 /* The mesh keeps its triangles if all splats are beyond the plane. */
 static void clip_splats(burnish_mesh *mesh, const burnish_clip_plane *plane) {
     burnish_error none;
-    if (mesh->splats && clip_points(mesh->splats, plane, &none) != BURNISH_STATUS_OK) {
+    if (mesh->splats && clip_points(mesh->splats, plane, 0, &none) != BURNISH_STATUS_OK) {
         burnish_mesh_destroy(mesh->splats);
         mesh->splats = NULL;
     } else if (mesh->splats) {
@@ -413,7 +413,7 @@ burnish_status burnish_mesh_clip(burnish_mesh *mesh, const burnish_clip_plane *p
         return status;
     }
     if (mesh->view.point_radius > 0) {
-        return clip_points(mesh, plane, error);
+        return clip_points(mesh, plane, 0, error);
     }
     burnish_memory memory = burnish_memory_of(mesh->context, error);
     burnish_mesh_view *view = &mesh->view;
@@ -424,6 +424,11 @@ burnish_status burnish_mesh_clip(burnish_mesh *mesh, const burnish_clip_plane *p
     status = memory.status;
     if (status == BURNISH_STATUS_OK) {
         count_parts(&cut, &triangles, &vertices);
+        if (triangles == 0 && mesh->splats && keep_points(mesh->splats, plane, 1) > 0) {
+            release_result(&cut);
+            burnish_mesh_keep_splats(mesh);
+            return clip_points(mesh, plane, 1, error);
+        }
         if (triangles == 0) {
             status = fail_empty(mesh, plane, error);
         }

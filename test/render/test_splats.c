@@ -297,6 +297,14 @@ static void check_among_triangles(int is_glass, burnish_isa isa) {
     CHECK1(left && left->vertex_count == 1 && left->positions[2] == -5);
     burnish_mesh_get_bounds(mesh, low, high);
     CHECK1(high[2] == 0);
+    const burnish_clip_plane below = {{0, 0, 1}, -1};
+    CHECK_OK(burnish_mesh_clip(mesh, &below, &error), error);
+    left = burnish_mesh_get_view(mesh);
+    CHECK1(left->splats && left->vertex_count == 1 && left->cut_count == 1 && !left->indices);
+    memset(file.bytes + file.size - 152, 0, sizeof square); /* no area */
+    OWNED_MESH *flat = load_bytes(file.bytes, file.size, "a.glb", NULL);
+    CHECK1(flat && burnish_mesh_get_view(flat)->splats);
+    check_only_warning(flat, "a.glb: none of 2 triangles has any area; they were left out");
 }
 
 int main(void) {

@@ -208,7 +208,8 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
     }
     burnish_status status = build_steps(&b);
     burnish_build_release_corners(&b, 0);
-    if (status == BURNISH_STATUS_OK && data->splats) {
+    const int has_area = status != BURNISH_STATUS_FORMAT;
+    if ((status == BURNISH_STATUS_OK || !has_area) && data->splats) {
         status = burnish_mesh_build(data->splats, name, options, format, &b.mesh->splats);
     }
     if (status != BURNISH_STATUS_OK) {
@@ -218,7 +219,12 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
     assert(b.triangle_count > 0 || b.mesh->texture_count == 0); /* as the renderer expects */
     b.mesh->view.vertex_count = b.vertex_count;
     b.mesh->view.triangle_count = b.triangle_count;
-    note_strays(&b);
+    if (has_area) {
+        note_strays(&b);
+    } else {
+        burnish_mesh_data_warn(data, "%s: none of %zu triangles has any area; they were left out",
+                               burnish_show_name(name).text, data->triangle_count);
+    }
     take_contents(&b);
     describe_mesh(&b);
     take_texts(&b);
@@ -234,5 +240,8 @@ burnish_status burnish_mesh_build(burnish_mesh_data *data, const char *name,
     b.mesh->info.read_seconds = start - data->start;
     b.mesh->info.build_seconds = burnish_seconds_now() - start;
     *mesh = b.mesh;
+    if (!has_area) {
+        burnish_mesh_keep_splats(b.mesh);
+    }
     return BURNISH_STATUS_OK;
 }

@@ -240,6 +240,25 @@ void burnish_mesh_destroy(burnish_mesh *mesh) {
     burnish_release(context, mesh);
 }
 
+void burnish_mesh_keep_splats(burnish_mesh *mesh) {
+    burnish_mesh *splats = mesh->splats, rest = *mesh;
+    rest.info.point_count = splats->info.point_count;
+    splats->info = rest.info;
+    splats->warnings = rest.warnings;
+    splats->warning_count = rest.warning_count;
+    splats->cameras = rest.cameras;
+    splats->camera_count = rest.camera_count;
+    memcpy(splats->view.cuts, rest.view.cuts, sizeof rest.view.cuts);
+    splats->view.cut_count = rest.view.cut_count;
+    *mesh = *splats;
+    rest.splats = NULL;
+    rest.warning_count = rest.camera_count = 0;
+    rest.warnings = NULL;
+    rest.cameras = NULL;
+    *splats = rest;
+    burnish_mesh_destroy(splats);
+}
+
 const burnish_mesh_view *burnish_mesh_get_view(const burnish_mesh *mesh) {
     return mesh ? &mesh->view : NULL;
 }

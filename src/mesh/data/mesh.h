@@ -48,6 +48,9 @@ void burnish_bound_positions(const float *positions, size_t count, float low[3],
 /* Updates the view of the mesh's arrays, except for counts, and gives it a new serial number. */
 void burnish_mesh_update_view(burnish_mesh *mesh);
 
+/* Leaves out all triangles: the mesh becomes its splats. */
+void burnish_mesh_keep_splats(burnish_mesh *mesh);
+
 /* ---- Checks ---- */
 
 /* Checks the arguments of every public function that loads. *mesh becomes NULL.
