@@ -290,6 +290,10 @@ static void test_json_errors(void) {
                                         &error) != BURNISH_STATUS_OK);
         CHECK_TEXT(error.text, cases[i].message);
     }
+    OWNED_MESH *rest =
+        load_scene(SCENE("{\"file\": \"no.stl\"}, {\"file\": \"t.obj\"}, {\"file\": \"x.stl\"}"));
+    check_only_warning(
+        rest, "a:1: items[0].file: no.stl: is not there; it was left out (and 1 more like it)");
 }
 
 static void test_many_warnings(void) {

@@ -20,6 +20,7 @@ typedef struct scene_json {
     burnish_json json;
     burnish_status status;
     burnish_warning_group unknown; /* keys */
+    burnish_warning_group damage;  /* items whose file can't be read */
 } scene_json;
 
 static int scene_recognise(const uint8_t *bytes, size_t size) {
@@ -205,8 +206,14 @@ static int read_item(scene_json *s, uint32_t object) {
             *why.text ? burnish_fail(s->scene.reader->error, status, "%s", why.text) : status;
         return 0;
     }
+    const uint32_t value = burnish_json_member(&s->json, object, "file");
+    if (status == BURNISH_STATUS_READ || status == BURNISH_STATUS_FORMAT) {
+        burnish_reader_note(s->scene.reader, &s->damage, burnish_json_at(&s->json, value), "%s: %s",
+                            burnish_json_path_of(&s->json, value).text, why.text);
+        return 1;
+    }
     if (status != BURNISH_STATUS_OK) {
-        return scene_fail(s, status, burnish_json_member(&s->json, object, "file"), why.text);
+        return scene_fail(s, status, value, why.text);
     }
     burnish_scene_item *item = burnish_scene_add(&s->scene, source);
     if (!item) {
@@ -293,7 +300,14 @@ static void read_scene(scene_json *s) {
         item = s->json.nodes[item].next;
     }
     burnish_reader_warn_group(s->scene.reader, &s->unknown);
-    if (is_fine && check_joints(s)) {
+    if (is_fine && s->scene.item_count == 0) {
+        s->status =
+            burnish_fail(s->scene.reader->error, BURNISH_STATUS_FORMAT, "%s", s->damage.first.text);
+    } else if (is_fine && check_joints(s)) {
+        burnish_warning_group left_out = {.count = s->damage.count};
+        burnish_fail(&left_out.first, BURNISH_STATUS_OK, "%s; it was left out",
+                     s->damage.first.text);
+        burnish_reader_warn_group(s->scene.reader, &left_out);
         s->status = burnish_scene_join(&s->scene);
     }
 }
