@@ -354,6 +354,10 @@ burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
     render_settings *settings = from;
     int is_many = 0;
     const burnish_status status = render_read_operands(settings, call, &is_many, error);
+    if (status == BURNISH_STATUS_READ) { /* the input is a folder */
+        settings->input.name = call->operands[0];
+        write_failure(settings, 0, error);
+    }
     return status != BURNISH_STATUS_OK ? status
            : is_many                   ? batch_draw_inputs(settings, call, error)
                                        : draw_input(settings, call, error);

@@ -298,6 +298,8 @@ expect 2 'burnish: --output: "in/a.obj" and another input would both be written 
     render in/a.obj in/a.off -o x.png
 # Folders and lists, as batch takes them; a folder alone has no picture.
 expect 3 'burnish: in: is a folder; use --output-dir=FOLDER to draw all its meshes' render in
+run render in --json
+check "an object of a folder" grep -q '"code":.*3' "$out"
 run render in -r -d thumbs --size=32 $memory
 check "a folder and those below: $(cat "$err")" [ -f thumbs/sub/a.png -a -f thumbs/a.off.png -a ! -e thumbs/burnish-batch.jsonl ]
 rm -rf thumbs
