@@ -43,11 +43,11 @@ enum { REPORT_BYTES = 1 << 20 };
 typedef struct facts {
     uint64_t picture, triangles, vertices;
     float size[3];
-    char unit[16];
+    char unit[16], format[16];
     double volume, area;
     uint64_t open_edges, shells;
     int32_t is_measured, is_closed, is_solid;
-    int32_t is_drawn, format, width, height, is_blank, is_legible;
+    int32_t is_drawn, width, height, is_blank, is_legible;
     uint32_t warning_count, unmet, plate_count, filament_count;
     struct {
         int32_t number, is_used;
@@ -196,10 +196,13 @@ static void record_result(void *context, const render_result *result) {
     facts *f = r->shared;
     const burnish_mesh_info *info = burnish_mesh_get_info(result->mesh);
     const burnish_mesh_view *view = burnish_mesh_get_view(result->mesh);
+    char extension[IMPORT_EXTENSION_SIZE];
     f->picture = result->hash;
     f->triangles = view->triangle_count;
     f->vertices = view->vertex_count;
-    f->format = (int32_t)info->format;
+    snprintf(f->format, sizeof f->format, "%s",
+             import_format_word(result->settings->input.name, result->settings->input.load.format,
+                                info, extension));
     f->width = result->picture->width;
     f->height = result->picture->height;
     f->is_blank = result->blank_cells > 0;
@@ -447,8 +450,8 @@ static burnish_status make_output_folders(const batch *b, const char *output,
 
 static char *done_line(const batch *b, const batch_item *item, uint64_t hash, facts *f,
                        const files *seen, double seconds) {
-    const int has_format = f->format >= 0 && f->format < burnish_format_count();
-    char extension[IMPORT_EXTENSION_SIZE];
+    f->format[sizeof f->format - 1] = 0;
+    cli_clean(f->format);
     int failed = 0;
     cJSON *object = cJSON_CreateObject();
     batch_add_hash(object, "id", item->id, &failed);
@@ -457,13 +460,7 @@ static char *done_line(const batch *b, const batch_item *item, uint64_t hash, fa
     cli_json_add(object, "bytes", cli_json_count((size_t)item->bytes), &failed);
     batch_add_hash(object, "input_hash", hash, &failed);
     batch_add_hash(object, "hash", f->picture, &failed);
-    cli_json_add(object, "format",
-                 cJSON_CreateString(has_format
-                                        ? import_format_word(item->input,
-                                                             b->settings->render.input.load.format,
-                                                             (burnish_format)f->format, extension)
-                                        : ""),
-                 &failed);
+    cli_json_add(object, "format", cli_json_text(f->format), &failed);
     cli_json_add(object, "triangles", cli_json_count((size_t)f->triangles), &failed);
     cli_json_add(object, "vertices", cli_json_count((size_t)f->vertices), &failed);
     cli_json_add(object, "size", cli_json_floats(3, f->size), &failed);

@@ -89,13 +89,12 @@ const import_program *import_choose(const char *input, int format,
 
 #endif
 
-const char *import_format_word(const char *name, int requested, burnish_format format,
+const char *import_format_word(const char *name, int requested, const burnish_mesh_info *info,
                                char extension[IMPORT_EXTENSION_SIZE]) {
-    const char *member = burnish_archive_member(name);
-    return format == BURNISH_FORMAT_BMS &&
-                   import_choose(member ? member : name, requested, extension)
+    return *info->imported ? info->imported
+           : info->format == BURNISH_FORMAT_BMS && import_choose(name, requested, extension)
                ? extension
-               : burnish_format_get_info(format)->name;
+               : burnish_format_get_info(info->format)->name;
 }
 
 int import_keep(void *context, const void *bytes, size_t size) {

@@ -36,7 +36,7 @@ const import_program *import_choose(const char *input, int format,
 
 /* The name of a mesh's format; for an imported file its extension, not the stream's format.
  *   requested  the value of --input-format */
-const char *import_format_word(const char *name, int requested, burnish_format format,
+const char *import_format_word(const char *name, int requested, const burnish_mesh_info *info,
                                char extension[IMPORT_EXTENSION_SIZE]);
 
 /* An import_taker that keeps all bytes. Start from zeros; free(bytes) at the end. */

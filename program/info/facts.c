@@ -24,8 +24,7 @@ static const char *up_name(const info_report *r) {
 }
 
 static const char *format_name(const info_report *r, char extension[IMPORT_EXTENSION_SIZE]) {
-    return import_format_word(r->input, r->format, burnish_mesh_get_info(r->mesh)->format,
-                              extension);
+    return import_format_word(r->input, r->format, burnish_mesh_get_info(r->mesh), extension);
 }
 
 /* The source of the normals. */

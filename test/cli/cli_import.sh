@@ -231,8 +231,10 @@ for flag in --no-sandbox $boxed; do
     gives 0 render kit.zip:part.dae --size=16 $flag -o r.png
     gives 0 render kit.zip --size=16 $flag -o r.png
 done
-run info kit.zip:x/part.DAE
-check "the format of a file in an archive: $(cat "$out")" grep -q '^kit.zip:x/part.DAE (dae)' "$out"
+for kit in kit.zip:x/part.DAE kit.zip; do
+    run info $kit
+    check "the format of a file in an archive: $(cat "$out")" grep -q "^$kit (dae)" "$out"
+done
 importer 'exit 3'
 expect 4 "burnish: kit.zip:part.DAE: $name ended with exit code 3 and no mesh" info kit.zip:part.DAE
 for flag in --no-sandbox $boxed; do

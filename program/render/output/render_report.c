@@ -182,8 +182,8 @@ static void add_mesh(cJSON *root, const render_result *result, int *failed) {
     const burnish_mesh_view *view = burnish_mesh_get_view(mesh);
     const burnish_mesh_view *splats = burnish_mesh_get_view(burnish_mesh_get_splats(mesh));
     char extension[IMPORT_EXTENSION_SIZE];
-    const char *format = import_format_word(settings->input.name, settings->input.load.format,
-                                            info->format, extension);
+    const char *format =
+        import_format_word(settings->input.name, settings->input.load.format, info, extension);
     const int is_flag = settings->camera.up != UP_AUTO && settings->camera.up != UP_FORMAT;
     const char *source = is_flag ? "flag" : settings->camera.stands_otherwise ? "auto" : "format";
     cJSON *box = cJSON_CreateObject();

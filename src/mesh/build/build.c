@@ -87,6 +87,7 @@ static void describe_mesh(burnish_builder *b) {
     b->mesh->info.is_thumbnail = b->data->is_thumbnail;
     b->mesh->info.is_one_sided = b->data->is_one_sided;
     b->mesh->info.animation_seconds = b->data->animation_seconds;
+    memcpy(b->mesh->info.imported, b->data->imported, sizeof b->data->imported);
     b->mesh->info.normals = b->has_file_normals ? BURNISH_NORMALS_FILE : BURNISH_NORMALS_OWN;
     b->mesh->info.normals_replaced = b->normals_replaced;
     burnish_mesh_update_view(b->mesh);

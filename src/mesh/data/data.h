@@ -65,6 +65,7 @@ typedef struct burnish_mesh_data {
     int is_thumbnail;                   /* burnish_mesh_info.is_thumbnail */
     int is_one_sided;                   /* burnish_mesh_info.is_one_sided */
     double animation_seconds;           /* burnish_mesh_info.animation_seconds */
+    char imported[12];                  /* burnish_mesh_info.imported */
 
     uint16_t *triangle_materials; /* 1 per triangle, in range; NULL: all have material 0 */
     size_t triangle_material_capacity;

@@ -162,6 +162,7 @@ static burnish_status import_model(burnish_archive *archive, burnish_reader_inpu
     if (status != BURNISH_STATUS_OK) {
         return burnish_fail(archive->reader.error, status, "%s", why.text);
     }
+    strcpy(archive->reader.mesh->imported, extension);
     input->bytes = archive->stream;
     input->size = archive->stream_size;
     return BURNISH_STATUS_OK;
