@@ -15,11 +15,11 @@
 enum { LOOKED_AT = 512 };
 
 /* Events, in the order of the file. */
-enum { NORMAL, EXTRA, END, AFTER, BEFORE, SPLIT, CORNERS, START, NOTE_COUNT, SOLID = NOTE_COUNT };
+enum { NORMAL, EXTRA, END, AFTER, BEFORE, WITHIN, SPLIT, CORNERS, START, NOTES, SOLID = NOTES };
 
 typedef struct stl_state {
     burnish_reader *reader;
-    burnish_warning_group groups[NOTE_COUNT];
+    burnish_warning_group groups[NOTES];
     burnish_part_list parts; /* the solids */
 } stl_state;
 
@@ -236,7 +236,7 @@ static void read_facet(stl_parser *stl, burnish_token facet) {
     }
 }
 
-static int is_comment(burnish_token word) { /* before "solid" */
+static int is_comment(burnish_token word) {
     return memchr("#;%!/*", *word.bytes, 6) != NULL;
 }
 
@@ -278,8 +278,8 @@ static void stl_parse(const void *state, burnish_chunk *chunk) {
             }
             in_solid = begins;
             seen = 1;
-        } else if (!seen && is_comment(word)) {
-            burnish_chunk_note(chunk, BEFORE, word.bytes);
+        } else if ((in_solid || !seen) && is_comment(word)) {
+            burnish_chunk_note(chunk, seen ? WITHIN : BEFORE, word.bytes);
         } else if (in_solid && burnish_token_is_caseless(word, "end")) {
             burnish_chunk_note(chunk, END, word.bytes);
             in_solid = 0;
@@ -320,6 +320,7 @@ static burnish_status stl_accept(void *state, const burnish_chunk *chunk) {
                                            [END] = "\"endsolid\" is missing",
                                            [AFTER] = "text after \"endsolid\" was ignored",
                                            [BEFORE] = "text before \"solid\" was ignored",
+                                           [WITHIN] = "a comment was ignored",
                                            [SPLIT] = "\"end\" was joined with the next word",
                                            [CORNERS] = "a facet has more than 3 vertices",
                                            [START] = "\"solid\" is missing"};

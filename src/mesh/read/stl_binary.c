@@ -3,7 +3,7 @@
  * Colours of a binary file's facets are 5 bits each in its two attribute bytes, in one of two ways.
  * VisCAM and SolidView: blue lowest, valid if bit 15 is set. Magics, recognised by "COLOR=" and 4
  * bytes RGBA in the header: red lowest, valid if bit 15 is not set; other facets have the header's
- * colour. */
+ * colour. Other programs leave noise in these bytes: of that, bit 15 says nothing. */
 #include "mesh/read/stl.h"
 
 #include <stdatomic.h>
@@ -30,13 +30,14 @@ typedef struct facet_context {
     float *positions;
     atomic_size_t bad;        /* the first facet with a coordinate that is not finite */
     atomic_uint any, all;     /* the attribute bytes of all facets, joined by or and by and */
+    atomic_size_t valid, odd; /* facets with bit 15, and with other bits alone */
     const uint8_t *announced; /* RGBA after "COLOR=" in the header; NULL: there is none */
     uint8_t *colors;          /* 4 bytes per corner */
 } facet_context;
 
 static void convert_facets(void *user_data, const uint8_t *facets, size_t first, size_t end) {
     facet_context *context = user_data;
-    size_t bad = SIZE_MAX;
+    size_t bad = SIZE_MAX, valid = 0, odd = 0;
     unsigned any = 0, all = UINT16_MAX;
     for (size_t i = first; i < end; ++i, facets += FACET_SIZE) {
         const uint8_t *from = facets + NORMAL_SIZE;
@@ -50,10 +51,14 @@ static void convert_facets(void *user_data, const uint8_t *facets, size_t first,
         const unsigned found = burnish_load16(facets + ATTRIBUTES_AT);
         any |= found;
         all &= found;
+        valid += found >> 15;
+        odd += found - 1 < BITS_OF_COLOR;
     }
     burnish_lower_to(&context->bad, bad);
     atomic_fetch_or(&context->any, any);
     atomic_fetch_and(&context->all, all);
+    atomic_fetch_add(&context->valid, valid);
+    atomic_fetch_add(&context->odd, odd);
 }
 
 /* Of each facet from the first bad one on that has such a coordinate. */
@@ -188,7 +193,8 @@ static burnish_status set_material(burnish_mesh_data *mesh, const uint8_t rgba[4
     return mesh->memory.status;
 }
 
-/* Colours, if the file has any. Attribute bytes that are all 0 or all 1 are not colours. If they
+/* Colours, if the file has any. Attribute bytes that are all 0 or all 1 are not colours, nor are those
+ * without an announced colour of which over two fifths lack bit 15 and have others. If they
  * are 0 in all facets and the header announces a colour, that colour applies: programs that write
  * such headers more often leave them unset than mean black. */
 static burnish_status read_colors(burnish_reader *reader, facet_context *context, size_t count) {
@@ -196,7 +202,8 @@ static burnish_status read_colors(burnish_reader *reader, facet_context *context
     const unsigned any = atomic_load(&context->any), all = atomic_load(&context->all);
     context->announced = find_announced_color(reader->input->bytes);
     if (!context->announced &&
-        (!(any & HAS_COLOR) || !(any & BITS_OF_COLOR) || all == UINT16_MAX)) {
+        (!(any & HAS_COLOR) || !(any & BITS_OF_COLOR) || all == UINT16_MAX ||
+         3 * atomic_load(&context->odd) > 2 * atomic_load(&context->valid))) {
         return BURNISH_STATUS_OK;
     }
     if (any == all) {
@@ -228,6 +235,8 @@ burnish_status burnish_stl_read_binary(burnish_reader *reader) {
     facet_context context = {.positions = burnish_positions(mesh)};
     atomic_init(&context.bad, SIZE_MAX);
     atomic_init(&context.all, UINT16_MAX);
+    atomic_init(&context.valid, 0);
+    atomic_init(&context.odd, 0);
     status = burnish_reader_rows(reader, HEADER_SIZE, FACET_SIZE, count, convert_facets, &context);
     if (status != BURNISH_STATUS_OK) {
         return status;

@@ -576,6 +576,8 @@ static const struct {
      "a.stl:2: a facet has more than 3 vertices"},
     {"a.stl", "; by x\n/* 1 */\nsolid\n" STL_GOOD "endsolid\n", 1,
      "a.stl:1: text before \"solid\" was ignored (and 1 more like it)"},
+    {"a.stl", "solid\n# by x\n" STL_GOOD "; y\nendsolid\n", 1,
+     "a.stl:2: a comment was ignored (and 1 more like it)"},
     {"a.stl", STL_GOOD "endsolid\n", 1, "a.stl:1: \"solid\" is missing"},
     {"a.stl",
      "solid\n" STL_GOOD STL_FACET("vertex 0 None 0\nvertex 1 0 0\nvertex 0 1 0\n") "endsolid\n", 1,
