@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-#include "base/bytes.h"
 #include "mesh/read/io/lexer.h"
 
 typedef struct foreign_row {
@@ -42,32 +41,15 @@ static const foreign_row rows[] = {
     {"(\265/\375", 0, "a file packed by zstd"},
     {"\211PNG", 0, "a PNG picture"},
     {"\377\330\377", 0, "a JPEG picture"},
-    {"GIF8", 0, "a GIF picture"},
     {"%PDF", 0, "a PDF document"},
     {"II*", 0, "a TIFF picture"},
     {"WEBP", 8, "a WebP picture"},
-    {"8BPS", 0, "a Photoshop picture"},
-    {"WAVE", 8, "a sound"},
-    {"OggS", 0, "a sound or film"},
-    {"ID3", 0, "a sound"},
-    {"ftyp", 4, "a film or picture"},
-    {"\032E\337\243", 0, "a film"},
-    {"\177ELF", 0, "a program"},
-    {"\xfe\xed\xfa\xce", 0, "a program"},
-    {"\xfe\xed\xfa\xcf", 0, "a program"},
-    {"\xce\xfa\xed\xfe", 0, "a program"},
-    {"\xcf\xfa\xed\xfe", 0, "a program"},
-    {"\xca\xfe\xba\xbe", 0, "a program"},
-    {"asm\1", 1, "a program"},
-    {"!<arch>\n", 0, "a library or package"},
-    {"SQLite format 3", 0, "a database"},
     {"\211HDF\r\n", 0, "an HDF5 file"},
     {"\223NUMPY", 0, "an array of NumPy"},
     {"\320\317\021\340\241\261\032\341", 0,
      "an OLE file, as SolidWorks, Inventor and Office write them"},
     {"Rar!\032\007", 0, "a RAR archive"},
     {"ustar", 257, "a tar archive"},
-    {"\004\"M\030", 0, "a file packed by LZ4"},
     {"<!DOCTYPE html", 0, "a web page"},
     {"<html", 0, "a web page"},
 };
@@ -75,15 +57,6 @@ static const foreign_row rows[] = {
 static int begins_with(const uint8_t *bytes, size_t size, size_t offset, const char *first) {
     const size_t length = strlen(first);
     return size >= offset + length && memcmp(bytes + offset, first, length) == 0;
-}
-
-/* A Windows program. Its first two letters might begin a title, so the header that they point to
- * counts. */
-static int is_windows_program(const uint8_t *bytes, size_t size) {
-    enum { POINTER_AT = 60 };
-    const uint8_t *p = bytes + POINTER_AT;
-    return size >= POINTER_AT + 4 && begins_with(bytes, size, 0, "MZ") &&
-           begins_with(bytes, size, burnish_load24(p), "PE");
 }
 
 /* XML is recognised by its first elements. */
@@ -133,9 +106,6 @@ const char *burnish_describe_foreign(const uint8_t *bytes, size_t size, const ch
         if (begins_with(bytes, size, start + rows[i].offset, rows[i].first)) {
             return rows[i].what;
         }
-    }
-    if (is_windows_program(bytes, size)) {
-        return "a program";
     }
     return begins_with(bytes, size, start, "<?xml") ? describe_xml(bytes, size)
                                                     : describe_extension(name);

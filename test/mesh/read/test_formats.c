@@ -163,33 +163,21 @@ static void test_foreign(void) {
         const char *first;
         size_t size;
         const char *what;
-    } cases[] = {{"\177ELF\2\1\1", 7, "a.stl: a program, which contradicts its name"},
-                 {"\xcf\xfa\xed\xfe", 4, "a.stl: a program, which"},
-                 {"\xca\xfe\xba\xbe", 4, "a.stl: a program, which"},
-                 {"%PDF-1.7\n\1", 10, "a.stl: a PDF document, which"},
+    } cases[] = {{"%PDF-1.7\n\1", 10, "a.stl: a PDF document, which contradicts its name"},
                  {"\211PNG\r\n\032\n", 8, "a.stl: a PNG picture, which"},
                  {"\377\330\377\340", 4, "a.stl: a JPEG picture, which"},
-                 {"GIF89a\1", 7, "a.stl: a GIF picture, which"},
                  {"RIFF\0\0\0\0WEBPVP8 ", 16, "a.stl: a WebP picture, which"},
-                 {"\0\0\0\040ftypisom", 12, "a.stl: a film or picture, which"},
-                 {"SQLite format 3\0", 16, "a.stl: a database, which"},
                  {"7z\274\257\047\034", 6, "a.stl: a 7-Zip archive, which"},
                  {"Rar!\032\007\1\0", 8, "a.stl: a RAR archive, which"},
                  {"\3757zXZ\0", 6, "a.stl: a file packed by xz, which"},
                  {"(\265/\375\4", 5, "a.stl: a file packed by zstd, which"},
                  {"\211HDF\r\n\032\n", 8, "a.stl: an HDF5 file, which"},
-                 {"\0asm\1\0\0\0", 8, "a.stl: a program, which"},
                  {"\320\317\021\340\241\261\032\341", 8, "a.stl: an OLE file"}};
     static byte_list list;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         put_filled(&list, cases[i].first, cases[i].size, 0x40, 64); /* coordinates of 3 */
         check_not_stl(&list, BURNISH_FORMAT_AUTO, cases[i].what);
     }
-    put_filled(&list, "MZ", 2, 0x40, 64);
-    memset(list.bytes + 60, 0, 4);
-    list.bytes[61] = 1;
-    memcpy(list.bytes + 256, "PE\0", 4);
-    check_not_stl(&list, BURNISH_FORMAT_AUTO, "a.stl: a program, which");
 }
 
 /* A brace alone does not make JSON of a file with another name. */
