@@ -306,6 +306,9 @@ static void test_plates(void) {
     }
     /* contents of 2 x 3 x 4, on a grid of 2 x 2 with gaps of 0.75 */
     CHECK1(corner_is(0, 0, 2.75, 0, 0) && corner_is(4, 0, 0, 0, 0) && corner_is(8, 0, 0, -3.75, 0));
+    read_project(plated_model, "<config>" PLATE("1", "1") "</config>",
+                 "{'printable_area':['0x0','100x0','100x200','0x200']}");
+    CHECK1(got.triangle_count == 4 && got.parts[0].role == BURNISH_PART_UNPRINTED);
 }
 
 static void test_one_plate(void) {

@@ -85,11 +85,12 @@ int burnish_threemf_choose_plates(burnish_threemf *threemf) {
         return 0;
     }
     const size_t count = threemf->plates.count;
+    const int is_known = count > 1 || threemf->instances.count > 0;
     size_t left = threemf->items.count;
     for (size_t i = 0; i < threemf->items.count && count > 0; ++i) {
         burnish_threemf_placement *item = &threemf->items.items[i];
         if (item->plate == BURNISH_THREEMF_NONE) {
-            item->plate = count > 1 ? plate_at(threemf, item->matrix) : 0;
+            item->plate = is_known ? plate_at(threemf, item->matrix) : 0;
         }
         if (item->plate == BURNISH_THREEMF_NONE) {
             item->is_unprinted = 1;
