@@ -305,6 +305,7 @@ for flag in --edges --wireframe; do
     expect 0 "burnish: warning: $flag: no effect: points have no edges; omit the flag" render points.ply --size=64 $flag -o t.png
 done
 expect 0 '' render wire.obj --size=64 --look=drawing --edges -o t.png
+expect 0 '' render :sphere --look=plain --light=none --ambient=.97 --specular=0 --color=white --edges --size=512 -o t.png
 for flags in '--look=drawing' '--color=white --background-color=white' '--environment=sky --background-color=environment' '--no-background'; do
     # shellcheck disable=SC2086
     expect 0 '' render :teapot --size=64 $flags -o t.png

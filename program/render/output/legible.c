@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "cli/main.h"
 
@@ -61,6 +62,16 @@ int render_is_blank(const render_result *result, const render_cell *cell) {
     return cell->has_one_color || (cell->report.covered_pixels == 0 && has_own_background);
 }
 
+/* Whether edges in another colour than the background's are drawn: they show any object. */
+static int has_edges(const render_result *result) {
+    const burnish_lines *lines = burnish_renderer_get_lines(result->renderer);
+    int difference = 0;
+    for (int k = 0; k < 3; ++k) {
+        difference = longer(difference, abs(lines->color[k] - result->options->background[k]));
+    }
+    return lines->line_count > 0 && (double)lines->opacity * difference > 32;
+}
+
 /* What is wrong and what helps, or NULL. */
 static const char *find_fault(const render_result *result, const render_cell *cell, char *buffer,
                               size_t size) {
@@ -102,7 +113,7 @@ static const char *find_fault(const render_result *result, const render_cell *ce
         return NULL; /* far from both limits */
     }
     tones = measure(result, cell, SAMPLES);
-    return tones.like_ground > 0.95
+    return tones.like_ground > 0.95 && !has_edges(result)
                ? "shows the object in the colour of its background; change --background-color"
            : tones.near_black > fmax(0.5, 0.9 - 3 / sqrt((double)covered)) /* outlines mix */
                ? "is nearly black; raise --exposure or --ambient, or use --color"
