@@ -19,7 +19,7 @@
 /* The largest share of the space between the margins that is taken on one side. */
 #define LARGEST_INSET 0.3
 
-enum { FITTING_STEPS = 12 };
+enum { FITTING_STEPS = 12, SECTION_ATTEMPTS = 3 };
 
 void burnish_annotate_options_init(burnish_annotate_options *options, uint64_t layout) {
     const burnish_annotate_options defaults = {.cookie = COOKIE, .background = {255, 255, 255}};
@@ -73,12 +73,16 @@ static burnish_status check_annotate(const burnish_mesh *mesh,
 burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view,
                                           burnish_annotation_flags kinds, int bounded,
                                           burnish_memory *memory, burnish_annotation_list *list) {
+    const int attempts = kinds & BURNISH_ANNOTATION_SECTION ? SECTION_ATTEMPTS : 1;
     *list = (burnish_annotation_list){.bounded = bounded, .memory = memory};
-    if (kinds & BURNISH_ANNOTATION_SECTION) {
-        burnish_annotate_section(view, list);
-    }
-    if (kinds & BURNISH_ANNOTATION_DIMENSIONS) {
-        burnish_annotate_dimensions(view, list);
+    for (int i = 0; i < attempts && (i == 0 || list->left_out > 0); ++i) {
+        list->line_count = list->label_count = list->left_out = 0;
+        if (kinds & BURNISH_ANNOTATION_SECTION) {
+            burnish_annotate_section(view, i, list);
+        }
+        if (kinds & BURNISH_ANNOTATION_DIMENSIONS) {
+            burnish_annotate_dimensions(view, list);
+        }
     }
     if (view->callouts && view->callouts->count > 0) {
         burnish_annotate_parts_list(view, list);

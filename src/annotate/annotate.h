@@ -206,8 +206,10 @@ void burnish_annotate_parts_list(const burnish_annotation_view *view,
 /* Balloons around the object, with leaders to their parts that do not cross. */
 void burnish_annotate_balloons(const burnish_annotation_view *view, burnish_annotation_list *list);
 
-/* The arrows and letters of the section's plane, or its name. */
-void burnish_annotate_section(const burnish_annotation_view *view, burnish_annotation_list *list);
+/* The arrows and letters of the section's plane, or its name. Later attempts, from 0, have longer
+ * arrows, so the letters leave room for dimensions. */
+void burnish_annotate_section(const burnish_annotation_view *view, int attempt,
+                              burnish_annotation_list *list);
 
 void burnish_annotate_holes(const burnish_annotation_view *view, burnish_annotation_list *list);
 

@@ -6,7 +6,8 @@
 /* Of the height of a capital. */
 #define CLEAR 0.3  /* between the object's box and the wide ends */
 #define END 0.8    /* length of these */
-#define SHAFT 1.9  /* of an arrow, with its head */
+#define SHAFT 1.9  /* of an arrow, with its head, ... */
+#define LONGER 1.2 /* ... and how much longer each attempt is */
 #define BESIDE 0.8 /* from its tail to the middle of the letter */
 #define ABOVE 1.3  /* from the box to the middle of the name */
 #define DASH 1.6
@@ -33,11 +34,11 @@ static void add_chain(const burnish_annotation_view *view, burnish_point from, b
 
 /* From the end of the plane's line next to the box, which `out` leads away from; d: to the viewer. */
 static void add_end(const burnish_annotation_view *view, burnish_point at, burnish_point out,
-                    burnish_point d, burnish_annotation_list *list) {
+                    burnish_point d, double shaft, burnish_annotation_list *list) {
     const double text = view->text;
     const burnish_point from = burnish_moved_along(at, out, CLEAR * text);
     const burnish_point tip = burnish_moved_along(from, out, END * text / 2);
-    const burnish_point tail = burnish_moved_along(tip, d, SHAFT * text);
+    const burnish_point tail = burnish_moved_along(tip, d, shaft * text);
     burnish_annotation_add_line(list, from, burnish_moved_along(from, out, END * text),
                                 2 * view->line, BURNISH_LAYER_LINES);
     burnish_annotation_add_line(list, burnish_moved_along(tip, d, BURNISH_ARROW_LENGTH * text),
@@ -52,7 +53,9 @@ static double dot(burnish_point a, burnish_point b) {
     return a.x * b.x + a.y * b.y;
 }
 
-void burnish_annotate_section(const burnish_annotation_view *view, burnish_annotation_list *list) {
+void burnish_annotate_section(const burnish_annotation_view *view, int attempt,
+                              burnish_annotation_list *list) {
+    const double shaft = SHAFT + LONGER * attempt;
     const burnish_vec3 normal = burnish_vec3_load(view->section.normal);
     const burnish_vec3 middle = burnish_vec3_scale(burnish_vec3_add(view->low, view->high), 0.5);
     const burnish_point d = {burnish_vec3_dot(normal, view->right),
@@ -72,8 +75,8 @@ void burnish_annotate_section(const burnish_annotation_view *view, burnish_annot
     if (view->parallel && dot(d, d) > 1 - EDGE_ON && high - low < FARTHEST) {
         const burnish_point ends[2] = {burnish_moved_along(on, along, low),
                                        burnish_moved_along(on, along, high)};
-        add_end(view, ends[0], (burnish_point){-along.x, -along.y}, d, list);
-        add_end(view, ends[1], along, d, list);
+        add_end(view, ends[0], (burnish_point){-along.x, -along.y}, d, shaft, list);
+        add_end(view, ends[1], along, d, shaft, list);
         add_chain(view, burnish_moved_along(ends[0], along, -CLEAR * view->text), along,
                   high - low + 2 * CLEAR * view->text, list);
     } else if (view->parallel && burnish_vec3_dot(normal, view->forward) < EDGE_ON - 1) {
