@@ -175,8 +175,8 @@ typedef struct burnish_render_options {
     burnish_tone_mapping tone_mapping;
     burnish_edge_flags edges; /* 0: none */
     float edge_width;         /* of visible edges in pixels, (0, BURNISH_EDGE_WIDTH_MAX].
-                              Hidden lines, axes, wireframes and edges that are not opaque have
-                              3/5 of it, but for outlines */
+                              Hidden lines and axes have half of it, wireframes and edges that
+                              are not opaque 3/5, but for outlines */
     uint8_t edge_color[3];    /* sRGB */
     float edge_opacity;       /* [0, 1] */
     int outline_contrast;  /* [0, 255]: where the outline of the object differs from the background

@@ -541,7 +541,7 @@ static const cli_flag flags[] = {
     {DRAW_SWITCH("hidden-lines", "draw hidden edges as dashed lines", shading.hidden_lines),
      .aliases = "hidden",
      .manual =
-         "Draws the edges that the object hides as dashed lines, 3/5 as wide as visible ones, "
+         "Draws the edges that the object hides as dashed lines, half as wide as visible ones, "
          "where no other line covers them. Draws edges like *--edges* if the look does not."},
     {DRAW_SWITCH("center-lines", "draw axes of holes and cylinders", shading.center_lines),
      .aliases = "centre-lines,axis-lines",
@@ -550,8 +550,8 @@ static const cli_flag flags[] = {
                "together with *--hidden-lines*. Draws edges like *--edges* if the look does not."},
     {DRAW_FLAG("edge-width", "PIXELS", "width of visible edges", cli_flag_real, shading.edge_width),
      CLI_RANGE(0.1, BURNISH_EDGE_WIDTH_MAX), .default_label = "1.8", .also = "line-width",
-     .manual = "Width of visible edges in pixels, from 0.1 to 100. Hidden lines, axes and "
-               "wireframes have 3/5 of it, and so do the faint edges of views along an axis."},
+     .manual = "Width of visible edges in pixels, from 0.1 to 100. Hidden lines and axes have "
+               "half of it, wireframes and the faint edges of views along an axis 3/5."},
     {DRAW_FLAG("edge-color", "COLOR", "colour of lines", cli_flag_color, shading.edge_color),
      .value_type = CLI_TYPE_COLOR, .default_label = "near black",
      .aliases = "edge-colour,line-color", .manual = "Colour of lines; see *COLOURS*."},

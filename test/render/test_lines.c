@@ -190,7 +190,7 @@ static void test_dashes(double height) {
     const int kinds = BURNISH_EDGES_FEATURES | BURNISH_EDGES_HIDDEN;
     const shape s = box_at(-1, -1, -1, 2, 2, 2);
     drawn d = draw_shape(&s, position, height, kinds);
-    const double period = 15 * 0.6 * (double)d.options.edge_width;
+    const double period = 15 * 0.5 * (double)d.options.edge_width;
     for (int i = 0; i < 3; ++i) {
         double p[2][3];
         box_corner(low, high, edges[i], 0, p[0]);
@@ -232,7 +232,7 @@ static void test_centers(int is_along) {
     const double bare = length_of_lines(d.lines);
     d.options.edges |= BURNISH_EDGES_CENTERS;
     draw_again(&d);
-    const double width = 0.6 * (double)d.options.edge_width, over = 12 * width;
+    const double width = 0.5 * (double)d.options.edge_width, over = 12 * width;
     const double reach = 1.0 * SIZE / 4 + over, length = 2 * reach;
     const double count = floor((length + 8 * width) / (31 * width) + 0.5);
     const double expected = length * 23 * count / (31 * count - 8);

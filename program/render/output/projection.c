@@ -79,7 +79,7 @@ static burnish_status aim_view(render_result *result, size_t i, burnish_error *e
     return status;
 }
 
-#define WIDE_LINE 0.5 /* millimetres, of the widths of ISO 128-2; others are 3/5 of it or less */
+#define WIDE_LINE 0.5 /* millimetres, of the widths of ISO 128-2; others are half of it */
 
 /* A pictorial view has neither hidden lines nor centre lines, a section no hidden lines. */
 void render_aim_projection(const render_result *result, const render_cell *cell,

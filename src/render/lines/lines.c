@@ -17,8 +17,7 @@ enum {
  * part are, but for rounding. */
 #define EDGE_ON_SINE 1e-5
 
-/* Hidden lines, axes and wireframes are narrow (ISO 128-2). */
-#define INNER_SHARE 0.6
+#define INNER_SHARE 0.6 /* of the width of outlines: wireframes, and edges while noise is dropped */
 
 /* Lines shorter than these shares of the picture's smaller side are noise; see
  * burnish_line_limits. A set has at least SET_LEAST pixels. */

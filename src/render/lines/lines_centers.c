@@ -79,7 +79,7 @@ static int is_seen(const drawer *d, const burnish_axis_line *axis, double pixel)
 /* Begins and ends with a dash; the pattern is scaled to the length. */
 static void add_chain(const drawer *d, const double from[2], const double to[2]) {
     const double x = to[0] - from[0], y = to[1] - from[1], length = burnish_sqrt(x * x + y * y);
-    const double width = d->scene->inner, gap = GAP * width;
+    const double width = BURNISH_LINE_NARROW * d->scene->outline, gap = GAP * width;
     const double dash = (length < 3 * (DASH + 2 * GAP) * width ? SHORT_DASH : DASH) * width;
     const int count = (int)((length + 2 * gap) / (dash + 2 * gap) + 0.5);
     const int steps = count > 2 ? count - 1 : 1;
@@ -110,7 +110,8 @@ static void add_axis(const drawer *d, const burnish_axis_line *axis, int with_hi
         return;
     }
     const double pixel = d->scene->is_parallel ? d->scene->footprint : d->scene->footprint * depth;
-    const double radius = axis->radius / pixel, over = OVERHANG * d->scene->inner;
+    const double radius = axis->radius / pixel,
+                 over = OVERHANG * BURNISH_LINE_NARROW * d->scene->outline;
     if (!(radius >= LEAST_RADIUS && radius < 1e5) || (!with_hidden && !is_seen(d, axis, pixel))) {
         return;
     }

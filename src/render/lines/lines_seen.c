@@ -482,7 +482,9 @@ void burnish_line_art_trace(burnish_line_art *art, burnish_line_scene *scene, co
                             !scene->keeps_all;
         if (states[first] != HIDDEN && states[first] != COVERED && to - from > least && !is_stub) {
             const chain_part part = {from > 0 ? from : 0, to < length ? to : length,
-                                     states[first] == INNER ? scene->inner : scene->outline,
+                                     states[first] != INNER ? scene->outline
+                                     : scene->taken         ? BURNISH_LINE_NARROW * scene->outline
+                                                            : scene->inner,
                                      states[first] == RIM};
             (scene->taken ? add_dashes : add_line)(art, &c, &part, memory);
         }

@@ -30,6 +30,9 @@ double burnish_line_key(const burnish_line_projection *p, burnish_clip_point c);
 
 /* ---- lines_seen.c: what is seen of a chain of segments ---- */
 
+/* Of the width of outlines: hidden lines, axes and tangent edges (ISO 128-2). */
+#define BURNISH_LINE_NARROW 0.5
+
 /* The frame that samples are compared with. */
 typedef struct burnish_line_scene {
     const burnish_target *target; /* its depth and triangles */
