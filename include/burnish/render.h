@@ -101,7 +101,9 @@ enum {
     BURNISH_EDGES_HIDDEN = 64,
     /* In addition, chain lines along the axes that two circles of hard edges have in common, and
      * crosses where such an axis points to the viewer; without HIDDEN only if one circle is seen */
-    BURNISH_EDGES_CENTERS = 128
+    BURNISH_EDGES_CENTERS = 128,
+    /* In addition, thin lines where a bend, such as a fillet, meets a face (ISO 128-2) */
+    BURNISH_EDGES_TANGENTS = 256
 };
 
 /* The widest line, in pixels. */

@@ -46,6 +46,7 @@ static const cli_word edge_words[] = {{"silhouettes", BURNISH_EDGES_SILHOUETTES}
                                       {"creases", BURNISH_EDGES_CREASES},
                                       {"boundaries", BURNISH_EDGES_BOUNDARIES},
                                       {"materials", BURNISH_EDGES_MATERIALS},
+                                      {"tangents", BURNISH_EDGES_TANGENTS},
                                       {"none", 0},
                                       {NULL, 0}};
 
@@ -533,8 +534,9 @@ static const cli_flag flags[] = {
      .value_type = CLI_TYPE_WORDS, .common = 1, .optional = 1, .words = edge_words, .off = "none",
      .aliases = "outline,outlines,feature-edges,no-edges",
      .manual = "Draws visible edges as lines: *silhouettes*, at steps in depth; *creases*, at hard "
-               "edges; *boundaries* of open surfaces; borders between *materials*; or *none*. "
-               "Without _LIST_ all of them; without the flag the look decides."},
+               "edges; *boundaries* of open surfaces; borders between *materials*; *tangents*, "
+               "where a fillet meets a face; or *none*. Without _LIST_ all but tangents; without "
+               "the flag the look decides."},
     {DRAW_SWITCH("wireframe", "draw the edges of all triangles", shading.wireframe),
      .aliases = "wire,mesh-lines,e",
      .manual = "Draws the visible edges of all triangles as lines."},

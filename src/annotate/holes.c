@@ -28,8 +28,7 @@
 #define STEEP_X 0.5
 #define STEEP_Y 0.86602540378443864676
 
-/* Bounds of time: labels in all, those tried next to circles, edges that each
- * keeps clear of. */
+/* Bounds of time: labels in all, those tried next to circles, edges that each keeps clear of. */
 enum { LABELS_MAX = 56, LEADERS = 64, MEMBERS = 8, DIAMETERS_MAX = 32, OUTLINES_MAX = 1 << 16 };
 
 typedef struct hole {
@@ -120,8 +119,7 @@ static void add_holes(finder *f, const burnish_axes *axes) {
     }
 }
 
-/* Sharp edges, hidden ones too, and those of smooth surfaces that are seen edge
- * on. */
+/* Sharp edges, hidden ones too, and those of smooth surfaces that are seen edge on. */
 static void add_outlines(finder *f, const burnish_edges *edges) {
     const burnish_mesh_view *mesh = f->view->mesh;
     for (size_t i = 0; i < edges->count && f->outlines.line_count <= OUTLINES_MAX; ++i) {
@@ -204,8 +202,7 @@ static int try_leader(finder *f, const hole *h, const char *text, int which) {
     return 1;
 }
 
-/* One for all circles of a diameter, or arcs of a radius, next to one of the
- * first. */
+/* One for all circles of a diameter, or arcs of a radius, next to one of the first. */
 static void add_diameter(finder *f, size_t first) {
     char text[BURNISH_LABEL_SIZE], value[BURNISH_LABEL_SIZE], number[24] = "";
     size_t members[MEMBERS], count = 0;
@@ -241,8 +238,7 @@ typedef struct running {
     double length; /* of the box */
 } running;
 
-/* Where a hole's centre is along a line of positions, and the middle of its
- * number. */
+/* Where a hole's centre is along a line of positions, and the middle of its number. */
 typedef struct position {
     const hole *hole;
     double at, to, half; /* half: of the room that the number needs along the line */
@@ -253,9 +249,8 @@ static double measure(const running *r, const hole *h, burnish_point d) {
     return (h->at.x - r->origin.x) * d.x + (h->at.y - r->origin.y) * d.y;
 }
 
-/* The next position after `last`, of the circle nearest to the line; NULL:
- * none. A circle that reaches the origin's edge has no position: a round object
- * has no edge to measure from. */
+/* The next position after `last`, of the circle nearest to the line; NULL: none. A circle that
+ * reaches the origin's edge has no position: a round object has no edge to measure from. */
 static const hole *next_position(const finder *f, const running *r, double last) {
     const hole *next = NULL;
     for (size_t i = 0; i < f->count; ++i) {

@@ -36,10 +36,9 @@ typedef struct burnish_axes {
 
 /* Finds axes that two circles or more have in common. A circle is a closed loop of at least 12
  * sharp edges that meets no other sharp edge, with its vertices in a plane and on a circle to 0.4 %
- * of its radius, none of them further apart than 3/5 of it. An arc
- * is at least four sharp edges in a row and 30 degrees, as close to a circle. Meshes with more than
- * 4,096 axes, 16,384 circles or 16,384 arcs have none. Errors: memory->status. Release the three
- * arrays with burnish_release. */
+ * of its radius, none of them further apart than 3/5 of it. An arc is at least four sharp edges in
+ * a row and 30 degrees, as close to a circle. Meshes with more than 4,096 axes, 16,384 circles or
+ * 16,384 arcs have none. Errors: memory->status. Release the three arrays with burnish_release. */
 void burnish_axes_find(const burnish_mesh_view *mesh, const burnish_edges *edges,
                        burnish_memory *memory, burnish_axes *axes);
 

@@ -61,8 +61,7 @@ static double smaller_side(const burnish_framing *options) {
 }
 
 /* The space that margin and insets leave right, left, above and below the picture's middle, in
- * halves of its
- * height: the order of push_sides. */
+ * halves of its height: the order of push_sides. */
 static void picture_rooms(const burnish_framing *options, double room[4]) {
     const double smaller = smaller_side(options);
     for (int k = 0; k < 4; ++k) {

@@ -12,7 +12,8 @@
 enum {
     BURNISH_EDGE_SHARP = 1,    /* the surface has a crease here, also in shading */
     BURNISH_EDGE_MATERIAL = 2, /* the triangles differ in material */
-    BURNISH_EDGE_ALIKE = 4     /* both triangles run along it in the same direction */
+    BURNISH_EDGE_ALIKE = 4,    /* both triangles run along it in the same direction */
+    BURNISH_EDGE_TANGENT = 32  /* set by burnish_edges_find_tangents */
 };
 
 typedef struct burnish_edge {
@@ -40,5 +41,10 @@ typedef struct burnish_edges {
  * CANCELLED; the edges are then empty. Release items with burnish_release. */
 burnish_status burnish_edges_find(const burnish_mesh_view *mesh, burnish_tasks *tasks,
                                   burnish_memory *memory, burnish_edges *edges);
+
+/* Marks tangent edges: smooth ones where a bend meets a face without a bend, or a longer one, in
+ * lines from edge to edge. Errors: memory->status. */
+void burnish_edges_find_tangents(const burnish_mesh_view *mesh, burnish_memory *memory,
+                                 burnish_edges *edges);
 
 #endif

@@ -40,7 +40,7 @@ for name in picture.bmp out/picture.TIF; do
     expect 2 "burnish: --output: \"$name\": pictures are written as PNG, JPEG, WebP, EXR, NPY, SVG or PDF; end the name in .png, .jpg, .webp, .exr, .npy, .svg or .pdf" render :sphere -o $name
 done
 expect 2 'burnish: --output: "a.svg": an SVG has lines, not shading; use --look=drawing, or the extension .png' render :sphere -o a.svg
-expect 2 'burnish: --edges: "corners" is not one of silhouettes, creases, boundaries, materials, none' render :sphere --edges=creases,corners
+expect 2 'burnish: --edges: "corners" is not one of silhouettes, creases, boundaries, materials, tangents, none' render :sphere --edges=creases,corners
 expect 2 'burnish: --background-color: there is no environment to show; use --environment=sky, room or a file' \
     render :sphere --background=environment
 expect 2 "burnish: --background-color: an SVG can't show an environment; use a colour, or the extension .png" \

@@ -244,13 +244,34 @@ static void test_centers(int is_along) {
     drop(&d);
 }
 
-/* Along an axis each hidden edge of a box is behind a visible one. */
-static void test_covered_lines(void) {
-    static const double position[3] = {0, -9, 0};
-    const shape s = box_at(-1, -1, -1, 2, 2, 2);
-    drawn d = draw_shape(&s, position, 4, BURNISH_EDGES_FEATURES | BURNISH_EDGES_HIDDEN);
-    const double length = length_of_lines(d.lines);
-    CHECK(fabs(length - 8 * SIZE / 4.0) < 1, "%g pixels", length);
+/* A sheet bent by a right angle: thin lines where the bend meets flat parts, if there are some, which
+ * end before the sheet's borders; none within it. */
+static void test_tangents(int is_flat) {
+    enum { LAST = 8 };
+    static const double position[3] = {6, -9, 5};
+    const burnish_edge_flags edges = BURNISH_EDGES_FEATURES | BURNISH_EDGES_TANGENTS;
+    shape s = {.point_count = 0};
+    double points[2 * LAST + 2][3];
+    for (int i = 0; i < 2 * LAST + 2; ++i) {
+        const int row = i / 2;
+        const double turn =
+            is_flat ? fmin(fmax(row - 1, 0), LAST - 2) / (LAST - 2) : (double)row / LAST;
+        points[i][0] = sin(acos(-1) / 2 * turn) - is_flat * (row == 0);
+        points[i][1] = i % 2;
+        points[i][2] = cos(acos(-1) / 2 * turn) - is_flat * (row == LAST);
+        add_point(&s, points[i][0], points[i][1], points[i][2]);
+    }
+    for (uint32_t i = 0; i < LAST; ++i) {
+        add_quad(&s, 2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1);
+    }
+    drawn d = draw_shape(&s, position, 6, (int)edges);
+    for (int i = 1; i < LAST; ++i) {
+        const screen a = project(&d.options, points[2 * i]);
+        const screen b = project(&d.options, points[2 * i + 1]);
+        const int is_tangent = is_flat && (i == 1 || i == LAST - 1);
+        const double whole = hypot(b.x - a.x, b.y - a.y) - 4 * (double)d.options.edge_width;
+        CHECK(fabs(covered(d.lines, a, b) - is_tangent * whole) < 1.5, "edge %d", i);
+    }
     drop(&d);
 }
 
@@ -277,21 +298,19 @@ static void test_hidden_part(void) {
     drop(&d);
 }
 
-/* A box on a plate, seen from above, is one grey without its edges; they are drawn, and its outline
- * is wider than an edge without a step. */
-static void test_step(void) {
-    static const double plate[2][3] = {{-2, -2, -1}, {2, 2, 0}},
-                        boss[2][3] = {{-1, -1, 0}, {1, 1, 1}};
-    static const double position[3] = {0, 0, 10};
-    shape s = {.point_count = 0};
-    add_box(&s, plate[0], plate[1]);
-    add_box(&s, boss[0], boss[1]);
-    drawn d = draw_shape(&s, position, 5, BURNISH_EDGES_FEATURES);
-    CHECK(fabs(length_of_lines(d.lines) - (16 + 8) * SIZE / 5.0) < 2, "%g pixels",
-          length_of_lines(d.lines));
+/* Along an axis each hidden edge of a box is behind a visible one. A box on a plate, seen from above,
+ * is one grey without its edges; they are drawn, as wide as its outline. */
+static void test_along_axis(int is_step) {
+    const double position[3] = {0, is_step ? 0 : -9, is_step ? 10 : 0};
+    shape s = box_at(-1, -1, -1, 2, 2, 2);
+    if (is_step) {
+        add_box(&s, (const double[]){-2, -2, -1}, (const double[]){2, 2, 0});
+    }
+    drawn d = draw_shape(&s, position, 5, BURNISH_EDGES_FEATURES | BURNISH_EDGES_HIDDEN);
+    const double length = length_of_lines(d.lines);
+    CHECK(fabs(length - (is_step ? 24 : 8) * SIZE / 5.0) < 2, "%g pixels", length);
     for (size_t i = 0; i < d.lines->line_count; ++i) {
-        CHECK(d.lines->widths[i] == d.options.edge_width, "line %zu is %g wide", i,
-              (double)d.lines->widths[i]);
+        CHECK1(d.lines->widths[i] == d.options.edge_width);
     }
     drop(&d);
 }
@@ -421,6 +440,7 @@ static void test_loose(void) {
         {110, 40, 112, 40, 0, 1, 0},  {112, 40, 110, 40.5f, 0, 1, 0},  /* a tiny one */
         {10, 60, 19, 60, 0, 1, 0},    {19.5f, 60.5f, 26, 60, 0, 1, 0}, /* 15 pixels */
         {60, 60, 72, 60, 0, 1, 1},    {72, 60.9f, 84, 61, 0, 1, 1},    /* 24 pixels */
+        {150, 80, 181, 80, 0, 2, 0},                                   /* a tangent edge */
         {10, 80, 35, 80, 0, 1, 1},    {36, 80, 46, 88, 0, 1, 1},       /* at a long one */
         {20, 80, 20, 87, 0, 1, 0},                                     /* a tick along it */
         {60, 80, 66, 80, 0, 1, 0},    {72, 80, 78, 80, 0, 1, 0},
@@ -434,7 +454,7 @@ static void test_loose(void) {
     uint8_t is_rim[COUNT];
     for (size_t i = 0; i < COUNT; ++i) {
         memcpy(points + 4 * i, &rows[i].x0, 4 * sizeof *points);
-        widths[i] = rows[i].is_feature ? 1 : 2;
+        widths[i] = rows[i].is_feature == 2 ? 1 : rows[i].is_feature ? 1.2f : 2;
         starts[i] = (uint32_t)(2 * i);
         is_rim[i] = (uint8_t)rows[i].is_rim;
     }
@@ -457,7 +477,7 @@ static void test_loose(void) {
                           memcmp(points + 2 * starts[at], &rows[i].x0, 4 * sizeof *points) == 0;
         CHECK(stays == rows[i].stays, "line %zu", i);
         if (stays) {
-            CHECK1(widths[at] == (rows[i].is_feature ? 1.0f : 2.0f));
+            CHECK1(widths[at] == (rows[i].is_feature ? 1.2f : 2.0f));
             ++at;
         }
     }
@@ -580,11 +600,13 @@ int main(int count, char **arguments) {
     RUN(test_cube(4, 1));
     RUN(test_dashes(0));
     RUN(test_dashes(4));
-    RUN(test_covered_lines());
+    RUN(test_along_axis(0));
+    RUN(test_along_axis(1));
+    RUN(test_tangents(0));
+    RUN(test_tangents(1));
     RUN(test_centers(0));
     RUN(test_centers(1));
     RUN(test_hidden_part());
-    RUN(test_step());
     RUN(test_sphere());
     RUN(test_grid());
     RUN(test_flipped());

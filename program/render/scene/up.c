@@ -171,9 +171,8 @@ static int find_flat_axis(const burnish_mesh *mesh) {
 }
 
 /* Clouds are terrain or buildings if they are lower along Z than this share of their other extents,
- * but not drawings in the plane of X and Y;
- * their coordinates are geographic, in metres or feet, if they are farther from the origin than this,
- * and than so many times their extents. */
+ * but not drawings in the plane of X and Y; their coordinates are geographic, in metres or feet, if
+ * they are farther from the origin than this, and than so many times their extents. */
 #define TERRAIN 0.3
 #define GEOGRAPHIC 10000
 #define GEOGRAPHIC_TIMES 4

@@ -156,8 +156,7 @@ static int is_within(const burnish_stroke *stroke, float limit) {
 }
 
 /* Cuts off the parts of a stroke that are far outside the image, beyond what its round ends can
- * touch.
- * Returns 0 if no pixel is touched. */
+ * touch. Returns 0 if no pixel is touched. */
 static int prepare_stroke(const burnish_stroke *stroke, int width, int height,
                           burnish_stroke *prepared) {
     *prepared = *stroke;

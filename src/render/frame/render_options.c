@@ -282,7 +282,7 @@ static burnish_status check_ground(const burnish_render_options *options, burnis
 static burnish_status check_edges(const burnish_render_options *options, burnish_error *error) {
     const burnish_edge_flags all = BURNISH_EDGES_FEATURES | BURNISH_EDGES_ALL |
                                    BURNISH_EDGES_AXIS_VIEWS | BURNISH_EDGES_HIDDEN |
-                                   BURNISH_EDGES_CENTERS;
+                                   BURNISH_EDGES_CENTERS | BURNISH_EDGES_TANGENTS;
     if (options->edges & ~all) {
         return burnish_fail(error, BURNISH_STATUS_ARGUMENT,
                             "edges: %u is not a sum of BURNISH_EDGES_... values", options->edges);

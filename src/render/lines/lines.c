@@ -18,6 +18,7 @@ enum {
 #define EDGE_ON_SINE 1e-5
 
 #define INNER_SHARE 0.6 /* of the width of outlines: wireframes, and edges while noise is dropped */
+#define TANGENT_GAP 2   /* widths of outlines, from where a tangent edge ends */
 
 /* Lines shorter than these shares of the picture's smaller side are noise; see
  * burnish_line_limits. A set has at least SET_LEAST pixels. */
@@ -141,14 +142,16 @@ static int select_edge(const selection *s, const burnish_edge *edge,
                        burnish_line_segment *segment) {
     const int wanted = s->options->edges;
     const int8_t *facing = s->art->facing;
-    const int feature = is_feature(edge, wanted);
-    int sides[2];
-    if (!feature && !(wanted & BURNISH_EDGES_SILHOUETTES)) {
+    int sides[2], feature = is_feature(edge, wanted);
+    if (!feature && !(wanted & (BURNISH_EDGES_SILHOUETTES | BURNISH_EDGES_TANGENTS))) {
         return 0;
     }
     edge_sides(s, edge, sides);
     const int is_outline = sides[0] == sides[1] ? sides[0] != 0 : sides[0] == 0 || sides[1] == 0;
-    if (!feature && !is_outline) {
+    if (!feature && !is_outline && wanted & BURNISH_EDGES_TANGENTS) {
+        feature = edge->flags & BURNISH_EDGE_TANGENT ? 2 : 0;
+    }
+    if (!feature && !(is_outline && wanted & BURNISH_EDGES_SILHOUETTES)) {
         return 0;
     }
     const int has_front =
@@ -269,7 +272,7 @@ static burnish_status link_segments(burnish_line_art *art, const burnish_mesh_vi
     if (count > 0) {
         memset(art->links, 0xff, 2 * count * sizeof *art->links);
     }
-    for (int features = 0; features < 2; ++features) {
+    for (int features = 0; features < 3; ++features) {
         memset(art->joints, 0xff, mesh->vertex_count * sizeof *art->joints);
         for (size_t i = 0; i < count; ++i) {
             if (!art->segments[i].is_done && art->segments[i].is_feature == features) {
@@ -400,15 +403,19 @@ static burnish_line_scene make_scene(const burnish_line_art *art, const burnish_
 
 /* The mesh's edges, unless they are there. */
 static burnish_status update_edges(burnish_line_art *art, const burnish_mesh_view *mesh,
-                                   burnish_tasks *tasks, burnish_memory *memory) {
-    if (art->mesh == mesh->serial) {
+                                   int has_tangents, burnish_tasks *tasks, burnish_memory *memory) {
+    if (art->mesh == mesh->serial && art->has_tangents >= has_tangents) {
         return BURNISH_STATUS_OK;
     }
     art->mesh = art->axes_mesh = 0;
     burnish_release(memory->context, art->edges.items);
     const burnish_status status = burnish_edges_find(mesh, tasks, memory, &art->edges);
-    art->mesh = status == BURNISH_STATUS_OK ? mesh->serial : 0;
-    return status;
+    if (status == BURNISH_STATUS_OK && has_tangents) {
+        burnish_edges_find_tangents(mesh, memory, &art->edges);
+    }
+    art->has_tangents = has_tangents;
+    art->mesh = status == memory->status && status == BURNISH_STATUS_OK ? mesh->serial : 0;
+    return status != BURNISH_STATUS_OK ? status : memory->status;
 }
 
 static float smaller_side(const burnish_render_options *options) {
@@ -417,7 +424,7 @@ static float smaller_side(const burnish_render_options *options) {
 
 static void drop_noise(burnish_line_art *art, const burnish_render_options *options,
                        burnish_memory *memory) {
-    const float side = (float)(options->width < options->height ? options->width : options->height);
+    const float side = smaller_side(options);
     const burnish_line_limits limits = {.tick = TICK_SHARE * side > SET_LEAST ? TICK_SHARE * side
                                                                               : SET_LEAST,
                                         .least = SET_LEAST,
@@ -429,12 +436,29 @@ static void drop_noise(burnish_line_art *art, const burnish_render_options *opti
     }
 }
 
+/* Moves the ends of an open line inward. */
+static void shorten_line(const burnish_line_art *art, size_t line, float by) {
+    float *first = art->points + 2 * (size_t)art->starts[line];
+    float *last = art->points + 2 * (size_t)art->starts[line + 1] - 2;
+    for (int k = 0; k < 2 && (first[0] != last[0] || first[1] != last[1]); ++k) {
+        float *end = k ? last : first, *next = k ? last - 2 : first + 2;
+        const float dx = next[0] - end[0], dy = next[1] - end[1];
+        const float share = by / __builtin_sqrtf(dx * dx + dy * dy);
+        end[0] += (share < 0.25F ? share : 0.25F) * dx;
+        end[1] += (share < 0.25F ? share : 0.25F) * dy;
+    }
+}
+
 /* Visible edges and outlines have one width (ISO 128-3), unless they are faint or a wireframe. They
- * differ while noise is dropped. */
+ * differ while noise is dropped. Tangent edges stay narrow, and end before other lines. */
 static void widen_lines(burnish_line_art *art, const burnish_render_options *options) {
     const int is_drawing = options->edge_opacity == 1 && !(options->edges & BURNISH_EDGES_ALL);
     for (size_t i = 0; i < art->lines.line_count && is_drawing; ++i) {
-        art->widths[i] = options->edge_width;
+        if (art->widths[i] == (float)BURNISH_LINE_NARROW * options->edge_width) {
+            shorten_line(art, i, TANGENT_GAP * options->edge_width);
+        } else {
+            art->widths[i] = options->edge_width;
+        }
     }
 }
 
@@ -472,7 +496,8 @@ burnish_status burnish_line_art_update(burnish_line_art *art, const burnish_mesh
                                        burnish_memory *memory) {
     selection s = {art, mesh, options, burnish_line_project_view(view, options)};
     memset(&art->lines, 0, sizeof art->lines);
-    burnish_status status = update_edges(art, mesh, tasks, memory);
+    burnish_status status =
+        update_edges(art, mesh, (options->edges & BURNISH_EDGES_TANGENTS) != 0, tasks, memory);
     if (status == BURNISH_STATUS_OK) {
         status = select_segments(&s, tasks, memory);
     }

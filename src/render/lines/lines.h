@@ -28,7 +28,7 @@ typedef struct burnish_line_segment {
     uint32_t triangles[2];
     int8_t outside;     /* where no triangle of the edge lies: 1 left of it, -1 right, 0 nowhere */
     uint8_t has_front;  /* 1: a triangle of the edge is front-facing */
-    uint8_t is_feature; /* 1: drawn even without a step in depth */
+    uint8_t is_feature; /* 1: drawn even without a step in depth; 2: as a tangent edge */
     uint8_t is_done;    /* BURNISH_LINE_OUTSIDE the picture, or the pass that has walked it */
 } burnish_line_segment;
 
@@ -40,6 +40,7 @@ enum { BURNISH_LINE_OUTSIDE = 1, BURNISH_LINE_VISIBLE, BURNISH_LINE_HIDDEN };
 typedef struct burnish_line_art {
     uint64_t mesh; /* whose edges they are, burnish_mesh_view.serial; 0: nobody's */
     burnish_edges edges;
+    int has_tangents;   /* 1: their tangent edges are marked */
     uint64_t axes_mesh; /* whose axes they are; 0: nobody's */
     burnish_axes axes;
     uint32_t *joints; /* of each vertex: a segment's end there, while segments are linked */

@@ -11,7 +11,7 @@
 #define CELL 2.0f
 
 /* Dropping ticks makes loose ends where they met. */
-#define PASSES 2
+#define PASSES 3
 
 /* The first two lines in a cell, as line + 1; 0: none. */
 typedef struct cell {
@@ -129,7 +129,9 @@ static int is_noise(const sets *s, const burnish_line_art *art, uint32_t line,
     const uint32_t root = find_root(s->parents, line);
     const int kind = s->kinds[root];
     const float sum = s->sums[root];
-    if (s->loose[line] > 0 && !art->is_rim[line] && s->lengths[line] < limits->tick) {
+    const int is_tangent = art->widths[line] == (float)BURNISH_LINE_NARROW * limits->outline;
+    if (s->loose[line] > 0 && !art->is_rim[line] &&
+        (is_tangent || s->lengths[line] < limits->tick)) {
         return 1;
     }
     if (kind & RIM) {

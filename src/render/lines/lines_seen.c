@@ -468,10 +468,12 @@ void burnish_line_art_trace(burnish_line_art *art, burnish_line_scene *scene, co
     const double length = chain_length(art, chain, count);
     const size_t samples = length < SAMPLES_MAX - 2 ? (size_t)length + 1 : SAMPLES_MAX;
     const double step = length / (double)samples;
-    const double least = !scene->taken                            ? SHORTEST
-                         : art->segments[chain[0] / 2].is_feature ? STUB
-                                                                  : scene->hidden_fold;
+    const int feature = art->segments[chain[0] / 2].is_feature;
+    const double least = !scene->taken ? SHORTEST : feature == 1 ? STUB : scene->hidden_fold;
     look_along(art, scene, c, samples, step, states);
+    if (scene->taken && feature == 2) {
+        return;
+    }
     for (size_t first = 0, end; first < samples; first = end) {
         end = run_end(states, first, samples);
         const int was_covered = first > 0 && states[first - 1] == COVERED;
@@ -482,9 +484,10 @@ void burnish_line_art_trace(burnish_line_art *art, burnish_line_scene *scene, co
                             !scene->keeps_all;
         if (states[first] != HIDDEN && states[first] != COVERED && to - from > least && !is_stub) {
             const chain_part part = {from > 0 ? from : 0, to < length ? to : length,
-                                     states[first] != INNER ? scene->outline
-                                     : scene->taken         ? BURNISH_LINE_NARROW * scene->outline
-                                                            : scene->inner,
+                                     states[first] == INNER && (scene->taken || feature == 2)
+                                         ? BURNISH_LINE_NARROW * scene->outline
+                                     : states[first] == INNER ? scene->inner
+                                                              : scene->outline,
                                      states[first] == RIM};
             (scene->taken ? add_dashes : add_line)(art, &c, &part, memory);
         }
