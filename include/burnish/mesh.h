@@ -458,8 +458,7 @@ typedef struct burnish_mesh_info {
     int normals_replaced;           /* 1: OWN, since AUTO rejected those of the input */
     int is_one_sided; /* 1: glTF, or a scene of it; four fifths of the area at least are faces with one side */
     double animation_seconds; /* length of the animation that the options name; else 0 */
-    char imported
-        [12]; /* extension of an archive's model that options.decoder has read; else empty */
+    char imported[12];        /* extension of a model in an archive that options.decoder has read */
 } burnish_mesh_info;
 
 /* Information about a mesh, valid as long as the mesh; NULL for NULL. */

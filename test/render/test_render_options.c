@@ -51,7 +51,7 @@ static void test_options(burnish_mesh *sphere) {
     WRONG(options.exposure = NAN, "exposure: nan stops are not in [-20, 20]");
     WRONG(options.tone_mapping = BURNISH_TONES_COUNT, "tone mapping 4 does not exist");
     WRONG(options.edges = UINT32_MAX, "edges: 4294967295");
-    WRONG(options.edges = 256, "edges: 256");
+    WRONG(options.edges = 512, "edges: 512");
     WRONG(options.edge_width = 0, "edges: a width of 0");
     WRONG(options.edge_width = NAN, "edges: a width");
     WRONG(options.edge_width = 101, "edges: a width of 101");

@@ -234,11 +234,12 @@ static void read_parts(burnish_threemf *threemf) {
     }
 }
 
-#define LISTS(DO)                                                                                  \
-    DO(parts)                                                                                      \
-    DO(resources) DO(objects) DO(components) DO(items) DO(vertices) DO(triangles) DO(groups)       \
-        DO(colors) DO(coordinates) DO(ranges) DO(numbers) DO(textures) DO(rods) DO(settings)       \
-            DO(volumes) DO(instances) DO(plates) DO(filaments) DO(heights) DO(owners)
+/* clang-format off */
+#define LISTS(DO) \
+    DO(parts) DO(resources) DO(objects) DO(components) DO(items) DO(vertices) DO(triangles) DO(groups) \
+    DO(colors) DO(coordinates) DO(ranges) DO(numbers) DO(textures) DO(rods) DO(settings) DO(volumes) \
+    DO(instances) DO(plates) DO(filaments) DO(heights) DO(owners)
+/* clang-format on */
 
 static void release_lists(burnish_threemf *threemf, const burnish_context *context) {
     for (size_t i = 0; i < threemf->textures.count && !threemf->shares_paths; ++i) {
