@@ -83,7 +83,9 @@ void burnish_ray_tile_add(burnish_ray_tile *tile, const burnish_ray_light *light
     burnish_vec3 corner[3], face = unit;
     const int is_known = find_face(light, light->mesh, number, corner, &face);
     tile->rank[at] = rank;
-    tile->gloss[at] = is_known ? gloss_of(light, materials ? materials[number] : 0, 1) : -1;
+    const size_t material = materials && is_known ? materials[number] : 0;
+    tile->gloss[at] = is_known ? gloss_of(light, material, 1) : -1;
+    tile->is_metal[at] = is_known && gloss_of(light, material, 0) >= 0;
     for (int k = 0; k < 3; ++k) {
         tile->position[k][at] = position[k];
     }
@@ -490,6 +492,7 @@ static void cast_mirrored(burnish_ray_tile *tile, const burnish_ray_light *light
         const size_t at = points->from[i];
         tile->sums[BURNISH_RAY_MET][at] = part * points->sums[0][i];
         tile->sums[BURNISH_RAY_GLOSSY][at] = BURNISH_RAY_SAMPLES;
+        tile->sums[BURNISH_RAY_METALS][at] = tile->is_metal[at] ? BURNISH_RAY_SAMPLES : 0;
         for (int k = 0; k < 3; ++k) {
             tile->sums[BURNISH_RAY_MIRRORED + k][at] = part * points->met[k][i];
             tile->sums[BURNISH_RAY_SENT + k][at] = part * points->light[k][i];

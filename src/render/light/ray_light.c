@@ -160,6 +160,7 @@ static void set_seen(const burnish_ray_light *light, const float sums[BURNISH_RA
     /* what is mirrored is multiplied by what is seen of light from everywhere */
     const float open =
         scratch->open[BURNISH_SEEN_LIGHT][i] > LEAST_SEEN ? scratch->open[0][i] : LEAST_SEEN;
+    const float metals = glossy > 0 ? sums[BURNISH_RAY_METALS] / glossy : 0;
     const float clear = glossy > 0 ? 1 - part * sums[BURNISH_RAY_MET] : open;
     scratch->open[BURNISH_SEEN_CLEAR][i] = glossy > 0 ? clear / open : 1;
     for (int k = 0; k < 3; ++k) {
@@ -167,7 +168,7 @@ static void set_seen(const burnish_ray_light *light, const float sums[BURNISH_RA
         /* a metal's ambient light is seen as what is around, not as what is mirrored: the difference */
         scratch->open[BURNISH_SEEN_MIRRORED + k][i] =
             (mirrored * light->tint[k] * sums[BURNISH_RAY_MIRRORED + k] +
-             light->ambient[k] * (clear - open)) /
+             metals * light->ambient[k] * (clear - open)) /
             open;
         scratch->open[BURNISH_SEEN_BOUNCED + k][i] =
             scale * light->tint[k] * sums[BURNISH_RAY_BOUNCED + k];

@@ -108,13 +108,14 @@ typedef struct burnish_gathered_points {
     int has_gloss; /* 0: all are matt */
 } burnish_gathered_points;
 
-/* What rays of a point found. Mirrored: the albedos of what they met, how many there are, and how many met any
- * are, then what is sent and the albedos once more. Light that comes over other surfaces, in the mean
- * light's colour. Of the sky and of each lamp, all light, and what is hidden of it. */
+/* What rays of a point found. Mirrored: the albedos of what they met, how many there are, how many of these
+ * met any, how many are of metals, then what is sent and the albedos once more. Light that comes over other
+ * surfaces, in the mean light's colour. Of the sky and of each lamp, all light, and what is hidden of it. */
 enum {
     BURNISH_RAY_MIRRORED,
     BURNISH_RAY_GLOSSY = 3,
     BURNISH_RAY_MET,
+    BURNISH_RAY_METALS,
     BURNISH_RAY_SENT,
     BURNISH_RAY_BOUNCED = BURNISH_RAY_SENT + 6,
     BURNISH_RAY_SKY = BURNISH_RAY_BOUNCED + 3,
@@ -128,7 +129,8 @@ typedef struct burnish_ray_tile {
     float position[3][BURNISH_RAY_PIXELS], normal[3][BURNISH_RAY_PIXELS];
     float face[3][BURNISH_RAY_PIXELS];
     float sums[BURNISH_RAY_SUMS][BURNISH_RAY_PIXELS];
-    float gloss[BURNISH_RAY_PIXELS];   /* alpha of GGX by which it mirrors; below 0: it does not */
+    float gloss[BURNISH_RAY_PIXELS]; /* alpha of GGX by which it mirrors; below 0: it does not */
+    uint8_t is_metal[BURNISH_RAY_PIXELS];
     uint16_t rank[BURNISH_RAY_PIXELS]; /* of the point that stands for the pixel; 0: none */
     uint16_t cut[BURNISH_RAY_PIXELS];  /* bit i: some rays to lamp i are not in its light */
     /* bit i: rays to lamp i did not agree, or, for BURNISH_RAY_LAMPS_MAX, mirrored ones; there are more */
