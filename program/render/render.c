@@ -354,9 +354,10 @@ burnish_status render_work(void *from, cli_call *call, burnish_error *error) {
     render_settings *settings = from;
     int is_many = 0;
     const burnish_status status = render_read_operands(settings, call, &is_many, error);
-    if (status == BURNISH_STATUS_READ) { /* the input is a folder */
-        settings->input.name = call->operands[0];
-        write_failure(settings, 0, error);
+    burnish_error other;
+    settings->input.name = call->operands[0];
+    if (status == BURNISH_STATUS_READ && render_finish(settings, &other) == BURNISH_STATUS_OK) {
+        write_failure(settings, 0, error); /* the input is a folder */
     }
     return status != BURNISH_STATUS_OK ? status
            : is_many                   ? batch_draw_inputs(settings, call, error)

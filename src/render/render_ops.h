@@ -19,11 +19,12 @@ enum {
     BURNISH_SEEN_BOUNCED = 1,  /* three: light that comes over other surfaces */
     BURNISH_SEEN_MIRRORED = 4, /* three: what other surfaces send along the lobe */
     BURNISH_SEEN_CLEAR = 7,    /* of what is mirrored from everywhere else */
-    BURNISH_SEEN_VALUES,
+    BURNISH_SEEN_AROUND,       /* three: what metals see of ambient light, less LIGHT of it */
+    BURNISH_SEEN_VALUES = BURNISH_SEEN_AROUND + 3,
     BURNISH_SEEN_BATCH = 256
 };
 
-enum { BURNISH_BATCH_STREAMS = 22 + 18 };
+enum { BURNISH_BATCH_STREAMS = 25 + 18 };
 
 /* Without a lobe, and the family's two: the first of burnish_lobe_body. */
 enum { BURNISH_CODE_BODIES = 4 };

@@ -400,6 +400,9 @@ BURNISH_INLINE void environment_vector(const burnish_environment_constants *cons
         environment_reflectance(&surface, at.n_dot_v, once, again);
     }
     environment_color(&surface, material->is_metallic, once, again, diffuse, specular, color);
+    for (int k = 0; k < 3 && each->clear; ++k) {
+        color[k] = vf_add(color[k], vf_mul(surface.reflectance[k], vf_load(each->around[k] + i)));
+    }
 }
 
 static void add_environment(const burnish_environment_constants *constants,

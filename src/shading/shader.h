@@ -109,7 +109,8 @@ typedef struct burnish_reflecting_points {
     const float *bent[3]; /* unit vectors that directions are mirrored at instead of N */
     const float *open;    /* share of the light that arrives */
     const float *near_diffuse[3], *near_specular[3]; /* light of near lights: added to D and Spec */
-    const float *clear, *mirrored[3]; /* of Spec what nothing hides, and what is seen instead */
+    /* of Spec what nothing hides, what is seen instead, and light of which metals reflect their colour */
+    const float *clear, *mirrored[3], *around[3];
 } burnish_reflecting_points;
 
 /* Sheen (sheen_simd.h) of points. Arrays may be NULL. */

@@ -481,7 +481,8 @@ static burnish_status read_binary(const off_state *off, burnish_lexer lexer) {
     const burnish_memory *memory = &reader->mesh->memory;
     burnish_ply_header header = {.encoding = BURNISH_PLY_BIG_ENDIAN};
     burnish_ply_property property = {.type = BURNISH_PLY_FLOAT32, .name = {lexer.next, 0}};
-    burnish_ply_element element = {.kind = BURNISH_PLY_ELEMENT_VERTEX};
+    burnish_ply_element element = {.kind = BURNISH_PLY_ELEMENT_VERTEX,
+                                   .name = {(const uint8_t *)"vertex", 6}};
     reader->is_binary = 1;
     if (!burnish_lexer_next_line(&lexer) || lexer.end - lexer.next < COUNTS) {
         return off_fail(off, &lexer, "the file ends before its counts; the file is truncated");
@@ -498,6 +499,7 @@ static burnish_status read_binary(const off_state *off, burnish_lexer lexer) {
         }
     }
     element.kind = BURNISH_PLY_ELEMENT_FACE;
+    element.name = (burnish_token){(const uint8_t *)"face", 4};
     element.count = __builtin_bswap32(burnish_load32(lexer.next + 4));
     property.type = property.count_type = BURNISH_PLY_UINT32;
     for (int list = 0; list < 2 && !memory->status; ++list) {

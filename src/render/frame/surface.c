@@ -317,7 +317,7 @@ static const float PIXEL_Y[BURNISH_BLOCK_ROW_PIXELS] = {
 _Static_assert((int)BURNISH_BLOCK_ROW_PIXELS == 256 &&
                    (int)BURNISH_BLOCK_ROW_PIXELS <= (int)BURNISH_SHADE_BATCH,
                "a row of blocks is one batch");
-_Static_assert((int)BURNISH_BATCH_STREAMS == 22 + (int)BURNISH_TEXTURE_STREAMS, "all streams fit");
+_Static_assert((int)BURNISH_BATCH_STREAMS == 25 + (int)BURNISH_TEXTURE_STREAMS, "all streams fit");
 _Static_assert((int)BURNISH_FRAGMENT_BATCH <= (int)BURNISH_SHADE_BATCH,
                "so is a group of fragments");
 

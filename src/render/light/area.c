@@ -597,6 +597,7 @@ void burnish_area_add(const burnish_area *area, const burnish_kernels *kernels,
     for (int k = 0; k < 3; ++k) {
         each.diffuse[k] = points.diffuse[k];
         each.mirrored[k] = batch->open ? batch->open[BURNISH_SEEN_MIRRORED + k] : NULL;
+        each.around[k] = batch->open ? batch->open[BURNISH_SEEN_AROUND + k] : NULL;
     }
     if (batch->textured) {
         read_textures(batch, &points, &each);

@@ -165,11 +165,10 @@ static void set_seen(const burnish_ray_light *light, const float sums[BURNISH_RA
     scratch->open[BURNISH_SEEN_CLEAR][i] = glossy > 0 ? clear / open : 1;
     for (int k = 0; k < 3; ++k) {
         const float mirrored = sent[3 + k] > 0 ? part * (sent[k] / sent[3 + k]) : 0;
-        /* a metal's ambient light is seen as what is around, not as what is mirrored: the difference */
         scratch->open[BURNISH_SEEN_MIRRORED + k][i] =
-            (mirrored * light->tint[k] * sums[BURNISH_RAY_MIRRORED + k] +
-             metals * light->ambient[k] * (clear - open)) /
-            open;
+            mirrored * light->tint[k] * sums[BURNISH_RAY_MIRRORED + k] / open;
+        scratch->open[BURNISH_SEEN_AROUND + k][i] =
+            metals * light->ambient[k] * (clear - open) / open;
         scratch->open[BURNISH_SEEN_BOUNCED + k][i] =
             scale * light->tint[k] * sums[BURNISH_RAY_BOUNCED + k];
     }

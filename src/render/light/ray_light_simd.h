@@ -160,12 +160,12 @@ BURNISH_INLINE vf lamps_from(const burnish_ray_light *light, const vf origin[3],
                  ahead = vf_sub(zero, ray_dot(normal, w));
         const vf one_side = lamp->is_two_sided ? vf_mul(facing, facing) : facing;
         const vm is_seen =
-            vm_and(vf_greater(one_side, zero), vf_greater(vf_mul(ahead, facing), tiny));
+            vm_and(vf_greater(one_side, zero), vf_greater(vf_mul(ahead, facing), zero));
         const vf way = vf_div(ahead, vf_blend(is_seen, facing, vf_set(1.0f)));
         for (int k = 0; k < 3; ++k) {
             q[k] = vf_sub(vf_mul(d[k], way), w[k]);
         }
-        const vf area = vf_div(vf_set(1.0f), vf_max(ray_dot(normal, normal), tiny));
+        const vf area = vf_div(vf_set(1.0f), vf_max(ray_dot(normal, normal), vf_set(0x1p-120f)));
         for (int axis = 0; axis < 2; ++axis) {
             const vf *const other = side[1 - axis];
             cross_vectors(axis ? other : q, axis ? q : other, product);

@@ -303,25 +303,26 @@ static burnish_status make_points(obj_state *obj) {
                : status;
 }
 
-/* If all vertices of faces or lines have two numbers, these are x and y, and no damage. */
+/* If no vertex of faces or lines has a third number, two are x and y, and no damage. */
 static void settle_flat(burnish_reader *reader) {
     const size_t count = reader->mesh->streams[BURNISH_POSITION].count;
     float *positions = burnish_positions(reader->mesh);
     size_t flat = 0;
-    while (flat < count && burnish_is_finitef(positions[3 * flat]) &&
-           !burnish_is_finitef(positions[3 * flat + 2])) {
-        ++flat;
-    }
-    if (count == 0 || flat < count) {
-        return;
-    }
     for (size_t i = 0; i < count; ++i) {
+        if (burnish_is_finitef(positions[3 * i + 2])) {
+            return;
+        }
+        flat += burnish_is_finitef(positions[3 * i]);
+    }
+    for (size_t i = 0; i < count && flat > 0; ++i) {
         positions[3 * i + 2] = 0;
     }
-    reader->damage.count -= count;
-    burnish_fail(&reader->damage.first, BURNISH_STATUS_OK,
-                 "%s: a face has a corner that is not a vertex", reader->input->name);
-    burnish_reader_warn(reader, NULL, "vertices have two numbers, x and y; z was taken as 0");
+    if (flat > 0) {
+        reader->damage.count -= flat;
+        burnish_fail(&reader->damage.first, BURNISH_STATUS_OK,
+                     "%s: a vertex or a corner of a face is not one", reader->input->name);
+        burnish_reader_warn(reader, NULL, "vertices have two numbers, x and y; z was taken as 0");
+    }
 }
 
 static burnish_status obj_finish(obj_state *obj) {
