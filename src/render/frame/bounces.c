@@ -43,11 +43,15 @@ void burnish_occlude_batch(const burnish_shading *shading, const burnish_fragmen
     }
 }
 
-/* What a material reflects of light that comes over other surfaces. By rays, metals mirror theirs. */
+/* Whether metals mirror what comes over other surfaces: by rays. */
+static int metals_mirror(const burnish_shading *shading) {
+    return shading->ray_light && shading->area;
+}
+
+/* What a material reflects of light that comes over other surfaces. */
 static const float *bounced_albedo(const burnish_shading *shading, size_t material) {
-    return shading->ray_light && shading->area
-               ? shading->area->materials[material].reflecting.diffuse
-               : shading->shaders[material].albedo;
+    return metals_mirror(shading) ? shading->area->materials[material].reflecting.diffuse
+                                  : shading->shaders[material].albedo;
 }
 
 void burnish_add_bounces(const burnish_shading *shading, const burnish_kernels_points *points,
@@ -56,13 +60,12 @@ void burnish_add_bounces(const burnish_shading *shading, const burnish_kernels_p
     const burnish_textured_material *textured =
         shading->texturing ? &shading->texturing->materials[material] : NULL;
     const int is_varied = textured && textured->is_special && textured->is_varied;
-    const int are_mirrored = shading->ray_light && shading->area; /* by metals */
     const float *factor[3];
     float albedo[3];
     for (int k = 0; k < 3; ++k) {
         albedo[k] = is_varied ? 1 : bounced_albedo(shading, (size_t)material)[k];
         factor[k] = textured && textured->is_special ? textures->diffuse[k] : points->diffuse[k];
-        if (is_varied && burnish_has_roughness(&textured->material) && !are_mirrored) {
+        if (is_varied && burnish_has_roughness(&textured->material) && !metals_mirror(shading)) {
             factor[k] = textures->ambient[k];
         }
     }

@@ -280,7 +280,6 @@ static burnish_status update_rays(burnish_call *d) {
         return BURNISH_STATUS_OK;
     }
     set_space(d, light);
-    light->strength = 1; /* light that bounces is found */
     light->has_sky = d->options->occlusion != 0;
     memcpy(light->ambient, d->options->ambient_light, sizeof light->ambient);
     burnish_ray_light_prepare(light);

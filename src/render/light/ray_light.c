@@ -142,7 +142,7 @@ static float gather_sums(const burnish_ray_tile *tile, const burnish_ray_light *
 /* What a point sees, from sums of so many pixels' rays. */
 static void set_seen(const burnish_ray_light *light, const float sums[BURNISH_RAY_SUMS],
                      float weight, int i, burnish_share_scratch *scratch, float *lit) {
-    const float scale = light->strength / (weight * BURNISH_RAY_SAMPLES);
+    const float scale = 1 / (weight * BURNISH_RAY_SAMPLES);
     float all = 0, hidden = 0;
     lit[i] = 1;
     for (int lamp = -1; lamp < light->lamp_count; ++lamp) {
@@ -154,9 +154,9 @@ static void set_seen(const burnish_ray_light *light, const float sums[BURNISH_RA
             hidden += own[1];
         }
     }
-    scratch->open[0][i] = all > 0 ? 1 - light->strength * (hidden / all) : 1;
+    scratch->open[0][i] = all > 0 ? 1 - hidden / all : 1;
     const float glossy = sums[BURNISH_RAY_GLOSSY], *sent = sums + BURNISH_RAY_SENT;
-    const float part = glossy > 0 ? light->strength / glossy : 0;
+    const float part = glossy > 0 ? 1 / glossy : 0;
     /* what is mirrored is multiplied by what is seen of light from everywhere */
     const float open =
         scratch->open[BURNISH_SEEN_LIGHT][i] > LEAST_SEEN ? scratch->open[0][i] : LEAST_SEEN;

@@ -53,7 +53,6 @@ typedef struct burnish_ray_light {
     float offset;           /* off a surface's triangle */
     float near;             /* points so far from a point's plane are of another surface */
     int has_sky;            /* 0: only shadows of lamps are wanted */
-    float strength;         /* [0, 1]: what a point that sees no sky loses of its light */
     float mean, tint[3];    /* luminance and colour of the light on white that is seen */
     float ambient[3];       /* light, which metals mirror as what comes from everywhere */
     float sky_mean;         /* luminance of the light from all directions without lamps */
