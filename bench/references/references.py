@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 """Draws scenes with burnish and with another renderer, prints what they differ by and writes a sheet of pictures.
 
-Usage: references.py three|cycles|monte-carlo BURNISH SCRATCH [FOLDER]
+Usage: references.py three|cycles|monte-carlo|rays BURNISH SCRATCH [FOLDER]
   SCRATCH  gets the pictures, REFERENCE.txt and REFERENCE.png; for three: has node_modules with three and puppeteer-core
-  FOLDER   glTF files for three and cycles, in it or in its folders; without: spheres of roughness 0 to 1 only
+  FOLDER   glTF files for three, cycles and rays, in it or in its folders; without: spheres of roughness 0 to 1 only
 
 Both draw with the same camera and the same environment, the room at half its strength, without tone mapping, shadows and computed occlusion.
-Pixels that both cover completely are compared. Needs numpy and Pillow; SIZE and SAMPLES change the size and the noise."""
+Pixels that both cover completely are compared. Needs numpy and Pillow; SIZE and SAMPLES change the size and the noise.
+
+rays: a softbox and ambient light instead of the room, in burnish with --raytracing and, for comparison, with depth maps, in Cycles with
+five bounces. Then what arrives of the ambient light and of the softbox at 4,000 pixels, against rays of Blender's own tree."""
 import base64
 import json
 import os
@@ -25,6 +28,8 @@ SIZE = tuple(map(int, os.environ.get("SIZE", "320x240").split("x")))
 TIMES = 2
 SAMPLES = int(os.environ.get("SAMPLES", "64"))
 STRENGTH = 0.5
+AMBIENT, RADIANCE, POINTS = 0.3, 6, 4000
+WAYS = {"rays": ("--raytracing",), "maps": ("--occlusion=72", "--shadow")}
 
 
 def sphere(file, base, metallic, roughness):
@@ -81,12 +86,52 @@ def room(burnish, scratch):
     return str(file.resolve()), image
 
 
+def softbox(burnish, picture, scratch):
+    """A softbox half as wide as the object, above it on the left, as a flag and as cycles.py reads it."""
+    report = run(burnish, picture["file"], scratch / "box.png", "--size=16")
+    low, high = (np.array(report["bounding_box"][end]) for end in ("min", "max")) if report else np.zeros((2, 3))
+    side = (high - low).max() / 2
+    lamp = {"at": list((low + high) / 2 + side * np.array((-1.2, 1.8, 1.2))), "target": list((low + high) / 2), "side": side, "radiance": RADIANCE}
+    at, target = (",".join(map(str, lamp[key])) for key in ("at", "target"))
+    return lamp, f"--light=world-rect:{at}:{side},{side}:target={target}:{RADIANCE}"
+
+
+def shares(burnish, picture, scratch, lamp):
+    """Adds what arrives at some pixels of the softbox and of ambient light, by each way, and the points and normals of these."""
+    plane = {name: scratch / f"share.{name}.npy" for name in ("coverage", "normal", "depth", "color")}
+    matt = (f"--size={SIZE[0]}x{SIZE[1]}", "--samples=1", "--material=matte", "--specular=0", "--color=0.1,0.1,0.1", "-q",
+            *(f"--plane={name}:{file}" for name, file in plane.items()))
+    drawn = {}
+    for light, flags in (("softbox", (lamp, "--ambient=0")), ("ambient", ("--light=none", "--ambient=1"))):
+        for way, more in (("all", ("--occlusion=none",)), *WAYS.items()):
+            run(burnish, picture["file"], scratch / "share.png", *matt, *flags, *more)
+            drawn[light, way] = np.load(plane["color"])[..., 0].astype(float)
+    full = drawn["softbox", "all"]
+    y, x = np.nonzero((np.load(plane["coverage"]) == 255) & (full > 0.05 * full[np.load(plane["coverage"]) == 255].max()))
+    kept = np.random.default_rng(1).permutation(len(x))[:POINTS]
+    y, x = y[kept], x[kept]
+    camera = {name: np.array(value) for name, value in picture["camera"].items()}
+    points = camera["position"] + np.load(plane["depth"])[y, x][:, None] * directions(camera, x, y, SIZE)
+    picture["points"] = str((scratch / f"{picture['name']}.points.npy").resolve())
+    np.save(picture["points"], np.concatenate((points, monte_carlo.unit(np.load(plane["normal"])[y, x])), 1))
+    picture["strength"] = full[y, x] / full[y, x].max()
+    picture["shares"] = {way: np.stack([drawn[light, way][y, x] / drawn[light, "all"][y, x] for light in ("softbox", "ambient")]) for way in WAYS}
+
+
+def directions(camera, x, y, size):
+    """Through the middles of pixels, of length 1 along the camera's axis."""
+    forward = monte_carlo.unit(camera["focal_point"] - camera["position"])
+    right = monte_carlo.unit(np.cross(forward, camera["view_up"]))
+    scale = np.tan(np.radians(camera["view_angle"]) / 2) / size[1]
+    return forward + ((2 * x + 1 - size[0]) * scale)[:, None] * right - ((2 * y + 1 - size[1]) * scale)[:, None] * np.cross(right, forward)
+
+
 def draw(burnish, picture, scratch, lights):
     """Adds burnish's picture, its mask and its camera, and the names of the reference's files."""
     base = str((scratch / picture["name"]).resolve())
     planes = {plane: f"{base}.{plane}.npy" for plane in ("coverage", "normal", "depth")}
     report = run(burnish, picture["file"], base + ".burnish.png", f"--size={TIMES * SIZE[0]}x{TIMES * SIZE[1]}", *lights, "--tone-mapping=none",
-                 "--occlusion=none", *(f"--plane={plane}:{file}" for plane, file in planes.items()))
+                 *(f"--plane={plane}:{file}" for plane, file in planes.items()))
     if report:
         coverage, normal, depth = (np.load(file) for file in planes.values())
         picture.update(camera=report["camera"], warnings=report["warnings"], drawn=srgb(smaller(linear(base + ".burnish.png"))),
@@ -95,17 +140,42 @@ def draw(burnish, picture, scratch, lights):
     return picture
 
 
+def ways(burnish, picture, scratch):
+    """burnish's pictures by rays and by maps, with the same reference."""
+    lamp, flag = softbox(burnish, picture, scratch)
+    both = [draw(burnish, {**picture, "name": f"{picture['name']}-{way}"}, scratch, (flag, f"--ambient={AMBIENT}", *flags)) for way, flags in WAYS.items()]
+    if all("drawn" in one for one in both):
+        both[1].update(same=0, halves=both[0]["halves"])
+        both[0].update(softbox=lamp, ambient=AMBIENT)
+        shares(burnish, both[0], scratch, flag)
+    return both
+
+
+def compare_shares(pictures):
+    """A line for each way of its means over the pictures."""
+    errors = {way: [] for way in WAYS}
+    for picture in pictures:
+        if os.path.exists(picture.get("points", "") + ".npy"):
+            light, sky = np.load(picture["points"] + ".npy")
+            partly = (light > 0.05) & (light < 0.95)
+            for way, (a, b) in picture["shares"].items():
+                rms = [np.sqrt(np.mean(x * x)) for x in ((a - light) * picture["strength"], ((a - light) * picture["strength"])[partly], (a - light)[partly], b - sky)]
+                errors[way].append(rms)
+                yield f"{picture['name'][:-5]} by {way}: " + " ".join(f"{x:.4f}" for x in rms)
+    for way, own in errors.items():
+        if own:
+            yield f"mean by {way}: " + " ".join(f"{x:.4f}" for x in np.mean(own, 0))
+    if any(errors.values()):
+        yield ("root mean square errors: softbox, in its penumbra, of its full light; in its penumbra, of what would arrive there; ambient light")
+
+
 def estimate(picture, light):
     """Two independent estimates by monte_carlo."""
     camera = {name: np.array(value) for name, value in picture["camera"].items()}
-    forward = monte_carlo.unit(camera["focal_point"] - camera["position"])
-    right = monte_carlo.unit(np.cross(forward, camera["view_up"]))
     inside = picture["inside"].repeat(TIMES, 0).repeat(TIMES, 1)
     y, x = np.nonzero(inside)
     height, width = inside.shape
-    scale = np.tan(np.radians(camera["view_angle"]) / 2) / height
-    rays = forward + ((2 * x + 1 - width) * scale)[:, None] * right - ((2 * y + 1 - height) * scale)[:, None] * np.cross(right, forward)
-    points = camera["position"] + picture["depth"][y, x][:, None] * rays
+    points = camera["position"] + picture["depth"][y, x][:, None] * directions(camera, x, y, (width, height))
     for half in picture["halves"]:
         image = np.zeros((height, width, 4))
         image[y, x, 3] = 1
@@ -169,22 +239,27 @@ def main():
     work.mkdir(parents=True, exist_ok=True)
     for old in work.glob("*.*"):
         old.unlink()
-    environment, image = room(burnish, work)
-    dome = (f"--environment={environment}", f"--environment-strength={STRENGTH}", "--background-color=environment")
     files = sorted(file for pattern in ("*.glb", "*.gltf") for file in pathlib.Path(*folder).resolve().rglob(pattern)) if folder else []
-    pictures = [*spheres(work), *({"name": file.stem, "file": str(file)} for file in files)]
-    pictures = [draw(burnish, picture, work, dome) for picture in pictures]
+    pictures = [*(spheres(work) if name != "rays" or not files else ()), *({"name": file.stem, "file": str(file)} for file in files)]
+    jobs = {"samples": SAMPLES, "ratio": TIMES, "width": SIZE[0], "height": SIZE[1]}
+    if name == "rays":
+        pictures = [way for picture in pictures for way in ways(burnish, picture, work)]
+    else:
+        jobs["environment"], image = room(burnish, work)
+        jobs["strength"] = STRENGTH
+        dome = (f"--environment={jobs['environment']}", f"--environment-strength={STRENGTH}", "--background-color=environment", "--occlusion=none")
+        pictures = [draw(burnish, picture, work, dome) for picture in pictures]
     if name == "monte-carlo":
         light = monte_carlo.Environment(image, STRENGTH)
         for picture in pictures:
             estimate(picture, light)
     else:
-        jobs = {"environment": environment, "strength": STRENGTH, "samples": SAMPLES, "ratio": TIMES, "width": SIZE[0], "height": SIZE[1],
-                "pictures": [{key: picture[key] for key in ("file", "camera", "output", "mask", "halves")} for picture in pictures if "drawn" in picture]}
+        jobs["pictures"] = [{key: picture[key] for key in ("file", "camera", "output", "mask", "halves", "softbox", "ambient", "points") if key in picture}
+                            for picture in pictures if "drawn" in picture and "same" not in picture]
         (work / "jobs.json").write_text(json.dumps(jobs))
-        other = {"three": ["node", HERE / "three.mjs", scratch / "node_modules"],
-                 "cycles": ["blender", "--background", "--factory-startup", "--python", HERE / "cycles.py", "--"]}
-        subprocess.run([*other[name], work / "jobs.json"], stdout=subprocess.DEVNULL, check=True)
+        blender = ["blender", "--background", "--factory-startup", "--python", HERE / "cycles.py", "--"]
+        other = ["node", HERE / "three.mjs", scratch / "node_modules"] if name == "three" else blender
+        subprocess.run([*other, work / "jobs.json"], stdout=subprocess.DEVNULL, check=True)
     lines, compared = [], []
     for picture in pictures:
         if "drawn" in picture and any(map(os.path.exists, (picture["output"], picture["halves"][0]))):
@@ -197,9 +272,11 @@ def main():
         noise = f"{picture['noise']:6.1f}" if picture["noise"] else "     -"
         lines.append(f"{picture['db']:6.1f} {noise} {100 * picture['same']:5.1f} %  {picture['name']}  {' '.join(picture['warnings']).replace(picture['file'] + ': ', '')[:120]}")
     lines.append("dB without the reference's noise, dB of that noise, pixels that both cover of those that one covers")
-    for group, kept in (("spheres", [p["db"] for p in compared if "material" in p]), ("files", [p["db"] for p in compared if "material" not in p])):
+    for group in ("rays", "maps") if name == "rays" else ("spheres", "files"):
+        kept = [p["db"] for p in compared if (p["name"].endswith("-" + group) if name == "rays" else ("material" in p) == (group == "spheres"))]
         if kept:
             lines.append(f"{group}: {len(kept)} pictures, mean {np.mean(kept):.1f} dB, median {np.median(kept):.1f}, worst {min(kept):.1f}")
+    lines += compare_shares(pictures)
     (scratch / f"{name}.txt").write_text("\n".join(lines) + "\n")
     sheet(compared, scratch / f"{name}.png")
     print("\n".join(lines))
