@@ -37,7 +37,7 @@ function(burnish_unit_test source labels)
     TEST_DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data" TEST_BINARY_DIR="${CMAKE_CURRENT_BINARY_DIR}")
   target_link_libraries(${program} PRIVATE ${ARGN} burnish_options m)
   burnish_test(${name} "unit;${labels}" ${program} ${${name}_arguments})
-  foreach(sanitizer tsan msan) # the programs of `make check` under these two: unit tests alone
+  foreach(sanitizer asan tsan msan) # the programs of `make check`
     if(NOT TARGET tests_${sanitizer})
       add_custom_target(tests_${sanitizer})
     endif()

@@ -3,15 +3,16 @@
 include(CheckCSourceCompiles)
 check_c_source_compiles("#if !defined(__SSE2__)\n#error no\n#endif\nint main(void) { return 0; }" BURNISH_HAS_SSE2)
 check_c_source_compiles("#if !defined(__aarch64__)\n#error no\n#endif\nint main(void) { return 0; }" BURNISH_HAS_NEON)
+option(BURNISH_VECTORS "Compile other instruction sets than the scalar one" ON)
 option(BURNISH_WIDE_VECTORS "Compile AVX2 and AVX-512, which takes compilers half of their time" ON)
 set(BURNISH_ISA_NAMES scalar sse2 avx2 avx512 neon wasm) # the words of BURNISH_ISA_LIST in core.h
 set(names scalar)
-if(BURNISH_HAS_NEON)
+if(BURNISH_HAS_NEON AND BURNISH_VECTORS)
   list(APPEND names neon)
-elseif(BURNISH_HAS_SSE2)
+elseif(BURNISH_HAS_SSE2 AND BURNISH_VECTORS)
   list(APPEND names sse2)
 endif()
-if(BURNISH_HAS_SSE2 AND BURNISH_WIDE_VECTORS)
+if(BURNISH_HAS_SSE2 AND BURNISH_VECTORS AND BURNISH_WIDE_VECTORS)
   list(APPEND names avx2 avx512)
   set(avx2_flags -mavx2)
   set(avx512_flags -mavx512f -mavx512dq -mavx512bw -mavx512vl -mprefer-vector-width=512)
@@ -36,19 +37,15 @@ set(BURNISH_BUILT_NAMES ${names})
 
 # Compiles *_isa.c once per instruction set of this build; `objects` receives the object files.
 #
-# With sanitizers, clang takes minutes per file of vector code at -O2, half as long at -O1, and a quarter without the pointer checks of
-# `undefined`. The scalar set keeps these checks, except in the fuzzer.
+# The pointer checks of `undefined` double the time that clang takes here. Only the scalar set of `make asan`, which has wide vectors, keeps them.
 function(burnish_isa_objects objects)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/*_isa.c)
   set(files)
   foreach(isa ${BURNISH_BUILT_NAMES})
     string(TOUPPER ${isa} name)
     set(checked_flags)
-    if(CMAKE_C_FLAGS MATCHES "sanitize=.*undefined")
-      set(checked_flags -O1)
-      if(NOT isa STREQUAL scalar OR CMAKE_C_FLAGS MATCHES "fuzzer")
-        list(APPEND checked_flags -fno-sanitize=null,alignment,object-size,pointer-overflow)
-      endif()
+    if(CMAKE_C_FLAGS MATCHES "sanitize=.*undefined" AND NOT (isa STREQUAL scalar AND BURNISH_WIDE_VECTORS))
+      set(checked_flags -fno-sanitize=null,alignment,object-size,pointer-overflow)
     endif()
     add_library(burnish_${isa} OBJECT ${sources})
     target_include_directories(burnish_${isa} PRIVATE ${PROJECT_SOURCE_DIR} base/include lobe/include include src)
