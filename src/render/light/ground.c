@@ -339,12 +339,10 @@ static void cast_texels(const ground_rays *rays, size_t row, size_t first) {
     const int pattern = (int)(row % 2 * 2 + first);
     float values[6][POINTS] = {{0}}, sums[3][POINTS];
     float *const to[3] = {sums[0], sums[1], sums[2]};
-    const burnish_ray_points points = {{values[0], values[1], values[2]},
-                                       {values[3], values[4], values[5]},
-                                       {values[3], values[4], values[5]},
-                                       NULL,
-                                       {NULL},
-                                       (size_t)ground->edge / 2};
+    const burnish_ray_points points = {.position = {values[0], values[1], values[2]},
+                                       .normal = {values[3], values[4], values[5]},
+                                       .face = {values[3], values[4], values[5]},
+                                       .count = (size_t)ground->edge / 2};
     float *hidden = ground->layers + row * (size_t)ground->edge + first;
     for (size_t i = 0; i < points.count; ++i) {
         const double x = ((double)(2 * i + first) - middle) * step;

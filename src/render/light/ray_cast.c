@@ -218,13 +218,13 @@ static burnish_ray_points ray_points(burnish_gathered_points *points) {
     for (int k = 0; k < BURNISH_RAY_VALUES; ++k) {
         memset(values[k] + points->count, 0, 16 * sizeof *values[k]);
     }
-    return (burnish_ray_points){
-        {values[0], values[1], values[2]},
-        {values[3], values[4], values[5]},
-        {values[6], values[7], values[8]},
-        points->has_gloss ? values[BURNISH_RAY_GLOSS] : NULL,
-        {values[BURNISH_RAY_BACK], values[BURNISH_RAY_BACK + 1], values[BURNISH_RAY_BACK + 2]},
-        points->count};
+    return (burnish_ray_points){.position = {values[0], values[1], values[2]},
+                                .normal = {values[3], values[4], values[5]},
+                                .face = {values[6], values[7], values[8]},
+                                .gloss = points->has_gloss ? values[BURNISH_RAY_GLOSS] : NULL,
+                                .back = {values[BURNISH_RAY_BACK], values[BURNISH_RAY_BACK + 1],
+                                         values[BURNISH_RAY_BACK + 2]},
+                                .count = points->count};
 }
 
 static void cast_rays(burnish_gathered_points *points, const burnish_ray_light *light,
@@ -300,9 +300,10 @@ static int bounced_sample(int sample, int turn) {
 static void cast_sky(burnish_ray_tile *tile, burnish_gathered_points *points,
                      const burnish_ray_light *light, const burnish_render_ops *ops, int sample,
                      int bounce) {
-    const burnish_ray_points cast = ray_points(points);
+    burnish_ray_points cast = ray_points(points);
     float *const sums[3] = {points->sums[0], points->sums[1], points->sums[2]};
     burnish_gathered_points *met = &tile->met[bounce];
+    cast.lamps = bounce > 0 ? light->mirrored_lamps : 0; /* first rays' light is not used */
     ops->sample_sky(light, &cast, sample, 1, &tile->rays, sums);
     if (bounce == BURNISH_RAY_BOUNCES) {
         for (size_t i = 0; i < 3 * points->count; ++i) {

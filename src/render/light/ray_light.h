@@ -81,6 +81,7 @@ typedef struct burnish_ray_points {
     /* alpha, below 0 of matt ones, and vectors against the rays that came; NULL: all are matt */
     const float *gloss, *back[3];
     size_t count; /* at most BURNISH_OCCLUDED_MAX, readable up to the next multiple of 16 */
+    int lamps;    /* so many are in the light that glossy ones mirror */
 } burnish_ray_points;
 
 /* Rays of points, from off their triangles, and what they met. */

@@ -139,13 +139,13 @@ BURNISH_INLINE void find_sides(const burnish_ray_lamp *lamp, const vf toward[3],
     }
 }
 
-/* Lamps' light that arrives along d, spread by a surface of this alpha that mirrors it: a square around
+/* Some lamps' light that arrives along d, spread by a surface of this alpha that mirrors it: a square around
  * where d meets a lamp's plane, of which a part is the lamp's. */
-BURNISH_INLINE vf lamps_from(const burnish_ray_light *light, const vf origin[3], const vf d[3],
-                             vf alpha) {
+BURNISH_INLINE vf lamps_from(const burnish_ray_light *light, int lamps, const vf origin[3],
+                             const vf d[3], vf alpha) {
     const vf zero = vf_set(0.0f), tiny = vf_set(0x1p-40f);
     vf sum = zero;
-    for (int number = 0; number < light->mirrored_lamps; ++number) {
+    for (int number = 0; number < lamps; ++number) {
         const burnish_ray_lamp *lamp = &light->lamps[number];
         const int is_round = lamp->shape == BURNISH_AREA_DISC || lamp->shape == BURNISH_AREA_SPHERE;
         const vf edge = vf_set(is_round ? ROUND_EDGE : 1);
@@ -215,8 +215,9 @@ BURNISH_INLINE void mirror_rays(const burnish_ray_light *light, const burnish_ra
     for (int k = 0; k < 3; ++k) {
         straight[k] = vf_sub(vf_mul(along, n[k]), back[k]);
     }
-    const vf light_along = vf_add(light_from(light->sky, mirrored),
-                                  lamps_from(light, from->origin, straight, vf_max(alpha, zero)));
+    const vf of_lamps =
+        lamps_from(light, points->lamps, from->origin, straight, vf_max(alpha, zero));
+    const vf light_along = vf_add(light_from(light->sky, mirrored), of_lamps);
     /* what is dark is mirrored, too */
     *arriving = vf_blend(is_matt, *arriving, vf_max(light_along, vf_set(0x1p-30f)));
 }
