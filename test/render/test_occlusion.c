@@ -363,22 +363,18 @@ int main(int count, char **arguments) {
     RUN(test_wall(BURNISH_OCCLUSION_MAX, 0.015));
     RUN(test_wall(72, 0.04));
     RUN(test_wall(54, 0.045));
-    RUN(test_window(0.1));
-    RUN(test_sphere());
-    for (int way = OF_MATERIAL; way <= OF_METALLIC_ROUGHNESS; ++way) {
-        RUN(test_bowl(way));
-    }
-    RUN(test_shadowed_light());
     RUN(test_exposure(BURNISH_LOOK_THREE_POINT, 222, 238));
     RUN(test_exposure(BURNISH_LOOK_STUDIO, 238, 252));
-    raytracing = 1;
-    RUN(test_wall(1, 0.04));
-    RUN(test_window(0.02));
-    RUN(test_sphere());
-    for (int way = OF_MATERIAL; way <= OF_METALLIC_ROUGHNESS; ++way) {
-        RUN(test_bowl(way));
+    for (int i = 0; i < 2; ++i) {
+        raytracing = i;
+        RUN(test_window(i ? 0.02 : 0.1));
+        RUN(test_sphere());
+        for (int way = OF_MATERIAL; way <= OF_METALLIC_ROUGHNESS; ++way) {
+            RUN(test_bowl(way));
+        }
+        RUN(test_shadowed_light());
     }
-    RUN(test_shadowed_light());
+    RUN(test_wall(1, 0.04));
     RUN(test_mirror());
     RUN(test_mirrors());
     return test_end("occlusion");

@@ -17,6 +17,10 @@
 /* Patterns of rays where one is not enough, and where these are not. */
 enum { MORE_PATTERNS = 4, ALL_PATTERNS = BURNISH_RAY_PATTERNS };
 
+/* Where more of the sky is hidden from a block of pixels, light that comes over other surfaces is most of
+ * what there is, and one set of directions would show as blotches. */
+#define CLOSED 0.7f
+
 /* Longer than the way from the camera through the mesh. */
 #define FAR 1e6f
 
@@ -285,10 +289,10 @@ static void gather_met(const burnish_started_rays *rays, const burnish_ray_light
     }
 }
 
-/* The sample of a bounce that goes with a sample: another order of the same. In a bowl, whose light is
+/* The sample of a bounce that goes with a sample: another order of the same 64. In a bowl, whose light is
  * known, of all odd factors this one's mean is the nearest to it. */
 static int bounced_sample(int sample, int turn) {
-    int turned = 0;
+    int turned = sample / BURNISH_RAY_DIRECTIONS * BURNISH_RAY_DIRECTIONS;
     for (int bit = 0; bit < 6; ++bit) {
         turned |= (sample * 19 >> bit & 1) << (turn + 5 - bit) % 6;
     }
@@ -379,18 +383,6 @@ void burnish_ray_shine(burnish_ray_tile *tile, const burnish_ray_light *light,
     }
 }
 
-static void store_sums(burnish_ray_tile *tile, const burnish_gathered_points *points, size_t i,
-                       int lamp, float scale) {
-    tile->sums[burnish_ray_sums(lamp)][points->from[i]] = scale * points->sums[1][i];
-    tile->sums[burnish_ray_sums(lamp) + 1][points->from[i]] = scale * points->sums[2][i];
-}
-
-/* What a pixel's mirrored rays bring. */
-static float mirrored_light(const burnish_ray_tile *tile, int at) {
-    const float(*const sent)[BURNISH_RAY_PIXELS] = tile->sums + BURNISH_RAY_SENT;
-    return sent[0][at] + sent[1][at] + sent[2][at];
-}
-
 /* Whether neighbours of a pixel on the same surface see so much more or less of a lamp, or mirrored. */
 static int is_apart(const burnish_ray_tile *tile, int at, int sums, float least) {
     const float share = burnish_ray_share(tile, at, sums);
@@ -406,7 +398,11 @@ static int is_apart(const burnish_ray_tile *tile, int at, int sums, float least)
         }
         float step = burnish_ray_share(tile, beside, sums) - share;
         if (is_mirrored && step == 0 && share > 0) {
-            const float own = mirrored_light(tile, at), other = mirrored_light(tile, beside);
+            float own = 0, other = 0;
+            for (int k = BURNISH_RAY_SENT; k < BURNISH_RAY_SENT + 3; ++k) {
+                own += tile->sums[k][at];
+                other += tile->sums[k][beside];
+            }
             step = own + other > 0 ? (own - other) / (own + other) : 0;
         }
         float cosine = 0;
@@ -427,6 +423,18 @@ static int is_mixed(const burnish_ray_tile *tile, int at, int sums) {
     return (share > 0 && (share < 1 || is_cut)) || is_apart(tile, at, sums, LEAST_STEP);
 }
 
+/* Whether little of the sky is seen from a pixel's block. */
+static int is_closed(const burnish_ray_tile *tile, int at) {
+    const int x = at % BURNISH_RAY_EDGE, y = at / BURNISH_RAY_EDGE;
+    float most = 0, hidden = 0;
+    for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
+        const int beside = (y / 4 * 4 + i / 4) * BURNISH_RAY_EDGE + x / 4 * 4 + i % 4;
+        most += tile->rank[beside] > 0 ? CLOSED * tile->sums[BURNISH_RAY_SKY][beside] : 0;
+        hidden += tile->rank[beside] > 0 ? tile->sums[BURNISH_RAY_SKY + 1][beside] : 0;
+    }
+    return hidden > most;
+}
+
 /* Every other bit of i. */
 static int even_bits(int i) {
     return (i & 1) | (i >> 1 & 2) | (i >> 2 & 4) | (i >> 3 & 8);
@@ -443,6 +451,7 @@ enum {
     ALL = -2,
     GLOSSY,
     MIXED_GLOSSY = BURNISH_RAY_LAMPS_MAX,
+    IN_CLOSED,
     BATCHES = 2 /* of a pixel of all blocks, with those in the margin */
 };
 
@@ -502,52 +511,51 @@ static void cast_mirrored(burnish_ray_tile *tile, const burnish_ray_light *light
     }
 }
 
-/* Casts rays of the pixels to a lamp. */
+/* Casts rays of the pixels to a lamp, which share those of more patterns, or for -1 to the sky, each
+ * others. */
 static void cast_to_lamp(burnish_ray_tile *tile, const burnish_ray_light *light,
                          const burnish_render_ops *ops, int lamp, int pattern, int patterns) {
     const burnish_gathered_points *points = &tile->points;
     const int count = patterns * BURNISH_RAY_SAMPLES;
-    if (points->count > 0) {
+    const float part = 1.0f / (float)patterns;
+    if (points->count > 0 && lamp < 0) {
+        cast_skies(tile, &tile->points, light, ops, pattern * count, count);
+    } else if (points->count > 0) {
         cast_rays(&tile->points, light, ops, lamp,
                   pattern / patterns * patterns * BURNISH_RAY_SAMPLES, count);
     }
     for (size_t i = 0; i < points->count; ++i) {
-        const int is_cut = points->sums[0][i] < (float)count;
-        store_sums(tile, points, i, lamp, 1.0f / (float)patterns);
-        tile->cut[points->from[i]] |= (uint16_t)(is_cut << lamp);
+        const int is_cut = lamp >= 0 && points->sums[0][i] < (float)count;
+        const size_t at = points->from[i];
+        tile->sums[burnish_ray_sums(lamp)][at] = part * points->sums[1][i];
+        tile->sums[burnish_ray_sums(lamp) + 1][at] = part * points->sums[2][i];
+        for (int k = 0; k < 3 && lamp < 0; ++k) {
+            tile->sums[BURNISH_RAY_BOUNCED + k][at] = part * points->light[k][i];
+        }
+        tile->cut[at] |= (uint16_t)(is_cut ? 1 << lamp : 0);
     }
 }
 
 static void cast_pixels(burnish_ray_tile *tile, const burnish_ray_light *light,
                         const burnish_render_ops *ops, int pixel, int batch) {
-    burnish_gathered_points *points = &tile->points;
     if (light->has_sky) {
         gather_pixels(tile, light, pixel, batch, GLOSSY, NULL);
         cast_mirrored(tile, light, ops, pixel, 1);
     }
     gather_pixels(tile, light, pixel, batch, ALL, NULL);
-    if (light->has_sky) {
-        cast_skies(tile, points, light, ops, pixel * BURNISH_RAY_SAMPLES, BURNISH_RAY_SAMPLES);
-    }
-    for (size_t i = 0; i < points->count && light->has_sky; ++i) {
-        for (int k = 0; k < 3; ++k) {
-            tile->sums[BURNISH_RAY_BOUNCED + k][points->from[i]] = points->light[k][i];
-        }
-        store_sums(tile, points, i, -1, 1);
-    }
-    for (int lamp = 0; lamp < light->lamp_count; ++lamp) {
-        if (light->has_sky || lamp == light->key) {
-            cast_to_lamp(tile, light, ops, lamp, lamp_pattern(pixel), 1);
+    for (int lamp = -1; lamp < light->lamp_count; ++lamp) {
+        if (light->has_sky || (lamp == light->key && lamp >= 0)) {
+            cast_to_lamp(tile, light, ops, lamp, lamp < 0 ? pixel : lamp_pattern(pixel), 1);
         }
     }
 }
 
-/* Casts rays of more patterns to a lamp. */
+/* Casts rays of more patterns to a lamp, or to the sky. */
 static void cast_more(burnish_ray_tile *tile, const burnish_ray_light *light,
                       const burnish_render_ops *ops, int lamp, int patterns,
                       const uint16_t *wanted) {
     for (int i = 0; i < BURNISH_BLOCK_PIXELS * BATCHES; ++i) {
-        gather_pixels(tile, light, i / BATCHES, i % BATCHES, lamp, wanted);
+        gather_pixels(tile, light, i / BATCHES, i % BATCHES, lamp < 0 ? IN_CLOSED : lamp, wanted);
         cast_to_lamp(tile, light, ops, lamp, lamp_pattern(i / BATCHES), patterns);
     }
 }
@@ -567,14 +575,18 @@ void burnish_ray_tile_cast(burnish_ray_tile *tile, const burnish_ray_light *ligh
         for (int lamp = 0; lamp < light->lamp_count && tile->rank[at] > 0; ++lamp) {
             tile->mixed[at] |= (uint16_t)(is_mixed(tile, at, burnish_ray_sums(lamp)) << lamp);
         }
-        if (light->has_sky && tile->rank[at] > 0 && tile->gloss[at] > LEAST_GLOSS) {
-            tile->mixed[at] |= (uint16_t)(is_mixed(tile, at, BURNISH_RAY_GLOSSY) << MIXED_GLOSSY);
+        if (light->has_sky && tile->rank[at] > 0) {
+            const int is_mirrored =
+                tile->gloss[at] > LEAST_GLOSS && is_mixed(tile, at, BURNISH_RAY_GLOSSY);
+            tile->mixed[at] |= (uint16_t)(is_mirrored << MIXED_GLOSSY);
+            tile->mixed[at] |= (uint16_t)(is_closed(tile, at) << IN_CLOSED);
         }
     }
     for (int i = 0; i < BURNISH_BLOCK_PIXELS * BATCHES; ++i) {
         gather_pixels(tile, light, i / BATCHES, i % BATCHES, MIXED_GLOSSY, tile->mixed);
         cast_mirrored(tile, light, ops, lamp_pattern(i / BATCHES), MORE_PATTERNS);
     }
+    cast_more(tile, light, ops, -1, MORE_PATTERNS, tile->mixed);
     for (int lamp = 0; lamp < light->lamp_count; ++lamp) {
         cast_more(tile, light, ops, lamp, MORE_PATTERNS, tile->mixed);
         for (int at = 0; at < BURNISH_RAY_PIXELS; ++at) {
