@@ -18,6 +18,7 @@ typedef struct burnish_wide_name {
     wchar_t text[4096];
 } burnish_wide_name;
 burnish_wide_name burnish_widen(const char *name); /* output.c */
+#define fopen(name, mode) _wfopen(burnish_widen(name).text, L"" mode)
 #define open(name, ...) _wopen(burnish_widen(name).text, __VA_ARGS__)
 #define access(name, mode) _waccess(burnish_widen(name).text, mode)
 #define unlink(name) _wunlink(burnish_widen(name).text)

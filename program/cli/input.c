@@ -2,6 +2,7 @@
 #include "cli/input.h"
 #include "base/cli/platform.h"
 #include "base/inputs.h"
+#include "base/platform.h"
 
 #include <errno.h>
 #include <stdio.h>
