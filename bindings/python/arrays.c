@@ -85,12 +85,8 @@ PyObject *array_create_type(PyObject *module) {
         {Py_tp_doc, "Numbers of burnish's."},
         {0},
     };
-    static PyType_Spec spec = {
-        .name = "burnish._burnish.Array",
-        .basicsize = sizeof(array_object),
-        .flags = Py_TPFLAGS_DEFAULT,
-        .slots = slots,
-    };
+    static PyType_Spec spec = {"burnish._burnish.Array", sizeof(array_object), 0,
+                               Py_TPFLAGS_DEFAULT, slots};
     return PyType_FromModuleAndSpec(module, &spec, NULL);
 }
 

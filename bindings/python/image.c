@@ -10,7 +10,7 @@ typedef struct image_object {
     PyObject_HEAD burnish_image image;
     array_layout layout;
     Py_ssize_t strides[ARRAY_DIMENSIONS];
-    uint64_t hash;
+    char hash[17];
     uint64_t covered_pixels;
     PyObject *camera, *planes, *warnings;
 } image_object;
@@ -39,48 +39,41 @@ static PyObject *describe_camera(const burnish_camera *c) {
                          c->orthographic_height);
 }
 
-/* Adds a plane to a dictionary; its memoryview owns the items. */
-static int add_plane(const module_state *state, PyObject *planes, const char *name,
-                     const array_layout *layout) {
-    if (!layout->items) {
-        return 1;
-    }
-    PyObject *view = array_memoryview(state, NULL, layout);
-    const int done = view && PyDict_SetItemString(planes, name, view) == 0;
-    Py_XDECREF(view);
-    return done;
-}
-
+/* The planes as a dictionary of memoryviews, which own the items. */
 static PyObject *take_planes(const module_state *state, session *s, const burnish_image *image) {
     const session_planes taken = session_take_planes(s);
     const Py_ssize_t width = image->width, height = image->height;
-    const array_layout depth = {taken.depth, "f", sizeof(float), 2, {height, width}};
-    const array_layout normals = {taken.normals, "f", sizeof(float), 3, {height, width, 3}};
-    const array_layout triangles = {taken.triangles, "I", sizeof(uint32_t), 2, {height, width}};
-    const array_layout coverage = {taken.coverage, "B", 1, 2, {height, width}};
+    const struct {
+        const char *name;
+        array_layout layout;
+    } rows[] = {
+        {"depth", {taken.depth, "f", sizeof(float), 2, {height, width}}},
+        {"normal", {taken.normals, "f", sizeof(float), 3, {height, width, 3}}},
+        {"triangle", {taken.triangles, "I", sizeof(uint32_t), 2, {height, width}}},
+        {"coverage", {taken.coverage, "B", 1, 2, {height, width}}},
+    };
     PyObject *planes = PyDict_New();
-    /* each call takes its memory, also after an error of another one */
-    const int done = planes ? add_plane(state, planes, "depth", &depth) &
-                                  add_plane(state, planes, "normal", &normals) &
-                                  add_plane(state, planes, "triangle", &triangles) &
-                                  add_plane(state, planes, "coverage", &coverage)
-                            : 0;
+    int done = planes != NULL;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
+        if (rows[i].layout.items) { /* which the view takes, also after an error */
+            PyObject *view = array_memoryview(state, NULL, &rows[i].layout);
+            done = view && done && PyDict_SetItemString(planes, rows[i].name, view) == 0;
+            Py_XDECREF(view);
+        }
+    }
     if (!done) {
         Py_CLEAR(planes);
     }
     return planes;
 }
 
-static void set_image(image_object *self, burnish_image image, uint64_t covered_pixels) {
+static void set_image(image_object *self, burnish_image image, uint64_t hash,
+                      uint64_t covered_pixels) {
+    snprintf(self->hash, sizeof self->hash, "%016llx", (unsigned long long)hash);
     self->image = image;
     self->covered_pixels = covered_pixels;
-    self->layout = (array_layout){
-        .items = image.pixels,
-        .format = "B",
-        .item_size = 1,
-        .dimensions = 3,
-        .shape = {image.height, image.width, image.channels},
-    };
+    self->layout =
+        (array_layout){image.pixels, "B", 1, 3, {image.height, image.width, image.channels}};
 }
 
 PyObject *image_take(const module_state *state, session *s) {
@@ -89,8 +82,8 @@ PyObject *image_take(const module_state *state, session *s) {
         return NULL;
     }
     const burnish_camera camera = session_camera(s);
-    self->hash = session_hash(s);
-    set_image(self, session_take_image(s), session_report(s)->covered_pixels);
+    const uint64_t hash = session_hash(s);
+    set_image(self, session_take_image(s), hash, session_report(s)->covered_pixels);
     self->camera = describe_camera(&camera);
     self->planes = take_planes(state, s, &self->image);
     self->warnings = image_warnings(s);
@@ -124,8 +117,7 @@ PyObject *image_restore(PyObject *module, PyObject *arguments) {
         burnish_image_destroy(&image);
     } else {
         memcpy(image.pixels, pixels.buf, (size_t)pixels.len);
-        set_image(self, image, covered_pixels);
-        self->hash = burnish_image_hash(&image);
+        set_image(self, image, burnish_image_hash(&image), covered_pixels);
         self->camera = module_share(camera);
         self->planes = module_share(planes);
         self->warnings = module_share(warnings);
@@ -239,13 +231,6 @@ static PyObject *get_size(PyObject *object, void *unused) {
     return Py_BuildValue("(ii)", image->width, image->height);
 }
 
-static PyObject *get_hash(PyObject *object, void *unused) {
-    (void)unused;
-    char text[17];
-    snprintf(text, sizeof text, "%016llx", (unsigned long long)((image_object *)object)->hash);
-    return PyUnicode_FromString(text);
-}
-
 static PyObject *get_camera(PyObject *object, void *unused) {
     (void)unused;
     return PyDict_Copy(((image_object *)object)->camera);
@@ -265,11 +250,10 @@ static PyObject *get_interface(PyObject *object, void *unused) {
 }
 
 static PyObject *represent(PyObject *object) {
-    const burnish_image *image = &((image_object *)object)->image;
-    char hash[17];
-    snprintf(hash, sizeof hash, "%016llx", (unsigned long long)((image_object *)object)->hash);
-    return PyUnicode_FromFormat("<burnish.Image %dx%d %s %s>", image->width, image->height,
-                                image->channels == 4 ? "RGBA" : "RGB", hash);
+    const image_object *self = (image_object *)object;
+    return PyUnicode_FromFormat("<burnish.Image %dx%d %s %s>", self->image.width,
+                                self->image.height, self->image.channels == 4 ? "RGBA" : "RGB",
+                                self->hash);
 }
 
 static PyMemberDef members[] = {
@@ -277,6 +261,8 @@ static PyMemberDef members[] = {
     {"height", T_INT, offsetof(image_object, image.height), READONLY, "Pixels."},
     {"covered_pixels", T_ULONGLONG, offsetof(image_object, covered_pixels), READONLY,
      "Pixels that show the object."},
+    {"hash", T_STRING_INPLACE, offsetof(image_object, hash), READONLY,
+     "XXH64 of the pixels: what `burnish render --json` prints."},
     {"warnings", T_OBJECT_EX, offsetof(image_object, warnings), READONLY,
      "Warnings about the mesh and the picture."},
     {0},
@@ -286,7 +272,6 @@ static PyGetSetDef properties[] = {
     {"size", get_size, NULL, "Width and height, as in Pillow.", NULL},
     {"shape", get_shape, NULL, "Height, width and channels, as in NumPy.", NULL},
     {"mode", get_mode, NULL, "'RGB', or 'RGBA' with no_background=True.", NULL},
-    {"hash", get_hash, NULL, "XXH64 of the pixels: what `burnish render --json` prints.", NULL},
     {"camera", get_camera, NULL,
      "position, focal_point, view_up, view_angle (degrees) and "
      "orthographic_height (0: perspective).",
@@ -327,11 +312,6 @@ PyObject *image_create_type(PyObject *module) {
                     "of the pixels, (height, width, channels)."},
         {0},
     };
-    static PyType_Spec spec = {
-        .name = "burnish.Image",
-        .basicsize = sizeof(image_object),
-        .flags = Py_TPFLAGS_DEFAULT,
-        .slots = slots,
-    };
+    static PyType_Spec spec = {"burnish.Image", sizeof(image_object), 0, Py_TPFLAGS_DEFAULT, slots};
     return PyType_FromModuleAndSpec(module, &spec, NULL);
 }

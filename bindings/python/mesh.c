@@ -448,11 +448,7 @@ PyObject *mesh_create_type(PyObject *module) {
         {Py_tp_doc, "A loaded mesh."},
         {0},
     };
-    static PyType_Spec spec = {
-        .name = "burnish._burnish.Mesh",
-        .basicsize = sizeof(mesh_object),
-        .flags = Py_TPFLAGS_DEFAULT | Py_TPFLAGS_BASETYPE,
-        .slots = slots,
-    };
+    static PyType_Spec spec = {"burnish._burnish.Mesh", sizeof(mesh_object), 0,
+                               Py_TPFLAGS_DEFAULT | Py_TPFLAGS_BASETYPE, slots};
     return PyType_FromModuleAndSpec(module, &spec, NULL);
 }

@@ -116,38 +116,23 @@ static int execute(PyObject *module) {
     state->array_type = array_create_type(module);
     state->image_type = image_create_type(module);
     state->mesh_type = mesh_create_type(module);
-    const int done =
-        add(module, "Error", state->error) && add(module, "ArgumentError", state->argument_error) &&
-        add(module, "FileError", state->file_error) &&
-        add(module, "MissingFileError", state->missing_file_error) &&
-        add(module, "Array", state->array_type) && add(module, "Image", state->image_type) &&
-        add(module, "Mesh", state->mesh_type) &&
-        PyModule_AddStringConstant(module, "version", burnish_version()) == 0 &&
-        create_context(state);
-    return done ? 0 : -1;
+    int done = PyModule_AddStringConstant(module, "version", burnish_version()) == 0;
+#define ADD(member, name) done = done && add(module, #name, state->member);
+    MODULE_CLASSES(ADD)
+    return done && create_context(state) ? 0 : -1;
 }
 
 static int traverse(PyObject *module, visitproc visit, void *arg) {
     const module_state *state = PyModule_GetState(module);
-    Py_VISIT(state->error);
-    Py_VISIT(state->argument_error);
-    Py_VISIT(state->file_error);
-    Py_VISIT(state->missing_file_error);
-    Py_VISIT(state->array_type);
-    Py_VISIT(state->image_type);
-    Py_VISIT(state->mesh_type);
+#define VISIT(member, name) Py_VISIT(state->member);
+    MODULE_CLASSES(VISIT)
     return 0;
 }
 
 static int clear(PyObject *module) {
     module_state *state = PyModule_GetState(module);
-    Py_CLEAR(state->error);
-    Py_CLEAR(state->argument_error);
-    Py_CLEAR(state->file_error);
-    Py_CLEAR(state->missing_file_error);
-    Py_CLEAR(state->array_type);
-    Py_CLEAR(state->image_type);
-    Py_CLEAR(state->mesh_type);
+#define CLEAR(member, name) Py_CLEAR(state->member);
+    MODULE_CLASSES(CLEAR)
     return 0;
 }
 

@@ -33,12 +33,17 @@ enum {
 PyAPI_FUNC(int) PyObject_GetBuffer(PyObject *exporter, buffer_view *view, int flags);
 PyAPI_FUNC(void) PyBuffer_Release(buffer_view *view);
 
+/* burnish.Error, errors that are derived from it, and heap types. */
+#define MODULE_CLASSES(X)                                                                          \
+    X(error, Error)                                                                                \
+    X(argument_error, ArgumentError) X(file_error, FileError)                                      \
+        X(missing_file_error, MissingFileError) X(array_type, Array) X(image_type, Image)          \
+            X(mesh_type, Mesh)
+
 typedef struct module_state {
-    PyObject *error;          /* burnish.Error */
-    PyObject *argument_error; /* these are derived from it */
-    PyObject *file_error, *missing_file_error;
-    PyObject *array_type, *image_type, *mesh_type; /* heap types */
-    burnish_context *context;                      /* cancels calls when Python has a signal */
+#define MODULE_MEMBER(member, name) PyObject *member;
+    MODULE_CLASSES(MODULE_MEMBER)
+    burnish_context *context; /* cancels calls when Python has a signal */
 } module_state;
 
 /* Raises burnish.Error or a class derived from it, with its status, unless a signal handler has
