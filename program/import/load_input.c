@@ -203,6 +203,15 @@ static burnish_load_options hand_options(const burnish_load_options *options, co
     return handed;
 }
 
+burnish_status import_load_memory(const void *bytes, size_t size, const char *name,
+                                  const burnish_load_options *options, burnish_mesh **mesh,
+                                  burnish_error *error) {
+    const import_decoding decoding = {source->decode, name};
+    burnish_load_options handed = *options;
+    handed.decoder = import_decoder(&decoding);
+    return burnish_mesh_load_memory(bytes, size, name, &handed, mesh, error);
+}
+
 burnish_status import_load_items(const char *input, const char *items,
                                  const burnish_load_options *options, burnish_mesh **mesh,
                                  burnish_error *error) {

@@ -21,6 +21,7 @@
 #else
 #define SESSION_HAS_IMPORTERS 0 /* bindings/wasm */
 #define import_load burnish_mesh_load
+#define import_load_memory burnish_mesh_load_memory
 #endif
 
 struct session {
@@ -397,7 +398,7 @@ burnish_status session_open(session *s, const char *name, const void *bytes, siz
     burnish_status status = set_loading(s, name, !bytes, given, &options, error);
     if (status == BURNISH_STATUS_OK && bytes) {
         options.referenced_files = cli_companion_loader(&s->companions);
-        status = burnish_mesh_load_memory(bytes, size, s->name, &options, &s->mesh, error);
+        status = import_load_memory(bytes, size, s->name, &options, &s->mesh, error);
         status = prepare_mesh(s, status, error);
     } else if (status == BURNISH_STATUS_OK) {
         status = prepare_mesh(s, import_load(s->name, &options, &s->mesh, error), error);

@@ -645,6 +645,8 @@ class Contents(unittest.TestCase):
         os.environ["BURNISH_IMPORTERS"] = "/"
         with self.assertRaisesRegex(burnish.Error, "^part.fbx: burnish-import-assimp reads such files and is not installed"):
             burnish.load("part.fbx")
+        with self.assertRaisesRegex(burnish.Error, "^a.glb: burnish-import-draco reads such files and is not installed"):
+            burnish.load((SOURCES / "test/importers/ring.glb").read_bytes(), name="a.glb")
 
 
 class Errors(unittest.TestCase):
