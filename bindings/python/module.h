@@ -36,9 +36,10 @@ PyAPI_FUNC(void) PyBuffer_Release(buffer_view *view);
 /* burnish.Error, errors that are derived from it, and heap types. */
 #define MODULE_CLASSES(X)                                                                          \
     X(error, Error)                                                                                \
-    X(argument_error, ArgumentError) X(file_error, FileError)                                      \
-        X(missing_file_error, MissingFileError) X(array_type, Array) X(image_type, Image)          \
-            X(mesh_type, Mesh)
+    X(argument_error, ArgumentError)                                                               \
+    X(file_error, FileError)                                                                       \
+    X(missing_file_error, MissingFileError)                                                        \
+    X(array_type, Array) X(image_type, Image) X(mesh_type, Mesh)
 
 typedef struct module_state {
 #define MODULE_MEMBER(member, name) PyObject *member;

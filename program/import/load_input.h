@@ -29,8 +29,7 @@ void import_set_source(const import_source *source);
 burnish_status import_load(const char *input, const burnish_load_options *options,
                            burnish_mesh **mesh, burnish_error *error);
 
-/* The same from memory as burnish_mesh_load_memory does; importers only read what the bytes hold or
- * name. */
+/* Loads as burnish_mesh_load_memory does, with importers for what the bytes hold or name. */
 burnish_status import_load_memory(const void *bytes, size_t size, const char *name,
                                   const burnish_load_options *options, burnish_mesh **mesh,
                                   burnish_error *error);

@@ -632,7 +632,6 @@ class Contents(unittest.TestCase):
         teapot = burnish.load(":teapot")
         self.assertEqual((teapot.parts, teapot.plates, teapot.filaments, teapot.face_parts), ([], [], [], None))
 
-
     def test_importers(self):
         """A program in BURNISH_IMPORTERS reads other formats, here with a triangle as its answer."""
         stream = struct.pack("<8s2IQ6I4f9f3I", b"\x89BMS\r\n\x1a\n", 1, 0, 112, 3, 1, *(0,) * 6, 1, 0, *(0, 0, 0, 1, 0, 0, 0, 1, 0), 0, 1, 2)
@@ -838,7 +837,6 @@ class Lobes(unittest.TestCase):
             values = burnish.lobe.values(words, 20, cosines)
             self.assertEqual((values.format, len(values)), ("f", 101))
         self.assertEqual(list(burnish.lobe.values("power", 20, [])), [])
-
         with self.assertRaises(burnish.Error):
             burnish.lobe.values("enrgy", 64, [1.0])
 
