@@ -8,13 +8,14 @@
 #define FLAT 1e-3 /* sine: triangles are in one plane */
 #define SIMILAR                                                                                    \
     0.08          /* the largest share by which turns and widths differ; sin 15 / sin 30 = 0.52 */
-#define NO_BEND 9 /* instead of a sine */
-#define REACH 3   /* triangles of a facet */
+#define REACH 3 /* triangles of a facet */
+
+enum { NO_BEND, FLAT_EDGE, BENT_EDGE };
 
 typedef struct finder {
     const burnish_mesh_view *mesh;
     burnish_edge *edges;
-    float *turns;     /* of each edge: the sine of its turn, below 0 in a hollow; or NO_BEND */
+    uint8_t *kinds;   /* of each edge */
     uint32_t *around; /* of each triangle: its edges + 1, without those of NO_BEND; else 0 */
 } finder;
 
@@ -33,18 +34,27 @@ static burnish_vec3 cross_of(const finder *f, uint32_t triangle) {
     return burnish_face_cross(f->mesh->positions, f->mesh->indices + 3 * (size_t)triangle);
 }
 
-static float turn_of(const finder *f, const burnish_edge *edge) {
+/* Most edges of most meshes get no further, so this takes no root. */
+static uint8_t kind_of(const finder *f, const burnish_edge *edge) {
     if (edge->triangles[1] == BURNISH_EDGE_OPEN ||
         edge->flags & (BURNISH_EDGE_SHARP | BURNISH_EDGE_ALIKE)) {
         return NO_BEND;
     }
+    const burnish_vec3 a = cross_of(f, edge->triangles[0]), b = cross_of(f, edge->triangles[1]);
+    const burnish_vec3 across = burnish_vec3_cross(a, b);
+    const double cosine = burnish_vec3_dot(a, b);
+    const double squares = burnish_vec3_dot(a, a) * burnish_vec3_dot(b, b);
+    return !(cosine > 0 && 4 * cosine * cosine > squares)            ? NO_BEND
+           : burnish_vec3_dot(across, across) < FLAT * FLAT * squares ? FLAT_EDGE
+                                                                      : BENT_EDGE;
+}
+
+/* The sine of an edge's turn, below 0 in a hollow. */
+static double turn_of(const finder *f, const burnish_edge *edge) {
     const burnish_vec3 a = burnish_vec3_normalize(cross_of(f, edge->triangles[0]));
     const burnish_vec3 b = burnish_vec3_normalize(cross_of(f, edge->triangles[1]));
     const burnish_vec3 u = burnish_vec3_normalize(along(f, edge->ends[0], edge->ends[1]));
-    const double sine = burnish_vec3_dot(burnish_vec3_cross(a, b), u);
-    return !(burnish_vec3_dot(a, b) > 0.5)  ? NO_BEND
-           : burnish_magnitude(sine) < FLAT ? 0
-                                            : (float)sine;
+    return burnish_vec3_dot(burnish_vec3_cross(a, b), u);
 }
 
 static double distance_of(const finder *f, const burnish_edge *edge, uint32_t vertex) {
@@ -54,6 +64,11 @@ static double distance_of(const finder *f, const burnish_edge *edge, uint32_t ve
 
 static int is_similar(double a, double b) {
     return burnish_magnitude(a - b) < SIMILAR * burnish_magnitude(b);
+}
+
+static int share_end(const burnish_edge *a, const burnish_edge *b) {
+    return a->ends[0] == b->ends[0] || a->ends[0] == b->ends[1] || a->ends[1] == b->ends[0] ||
+           a->ends[1] == b->ends[1];
 }
 
 /* From an edge across the facet of a triangle, which is entered from another edge. */
@@ -67,11 +82,13 @@ static crossing cross_facet(const finder *f, const burnish_edge *edge, uint32_t 
         }
         const burnish_edge *other = &f->edges[i];
         const uint32_t beyond = other->triangles[other->triangles[0] == triangle];
-        const double wide = distance_of(f, edge, other->ends[0]);
-        if (f->turns[i] == 0) {
+        if (f->kinds[i] == FLAT_EDGE) {
             found = cross_facet(f, edge, beyond, i, reach - 1);
-        } else if (is_similar(distance_of(f, edge, other->ends[1]), wide)) { /* parallel */
-            found = (crossing){i, beyond, (double)f->turns[i], wide};
+        } else if (!share_end(edge, other)) {
+            const double wide = distance_of(f, edge, other->ends[0]);
+            if (is_similar(distance_of(f, edge, other->ends[1]), wide)) { /* parallel */
+                found = (crossing){i, beyond, turn_of(f, other), wide};
+            }
         }
     }
     return found;
@@ -81,34 +98,40 @@ static crossing cross_facet(const finder *f, const burnish_edge *edge, uint32_t 
 static int begins_bend(const finder *f, uint32_t i, int side) {
     const burnish_edge *edge = &f->edges[i];
     const crossing a = cross_facet(f, edge, edge->triangles[side], i, REACH);
+    if (a.turn == 0 || !is_similar(2 * turn_of(f, edge), a.turn)) {
+        return 0;
+    }
     const crossing b = cross_facet(f, &f->edges[a.edge], a.beyond, a.edge, REACH);
     const double area = burnish_vec3_length(cross_of(f, edge->triangles[!side]));
     const double length = burnish_vec3_length(along(f, edge->ends[0], edge->ends[1]));
-    return is_similar(2 * (double)f->turns[i], a.turn) && area > a.wide * length &&
-           is_similar(b.wide, a.wide) &&
+    return area > a.wide * length && is_similar(b.wide, a.wide) &&
            (is_similar(b.turn, a.turn) || is_similar(2 * b.turn, a.turn));
 }
 
 void burnish_edges_find_tangents(const burnish_mesh_view *mesh, burnish_memory *memory,
                                  burnish_edges *edges) {
     finder f = {mesh, edges->items, NULL, NULL};
-    f.turns = burnish_allocate(memory, edges->count, sizeof *f.turns, "tangent edges");
+    f.kinds = burnish_allocate(memory, edges->count, sizeof *f.kinds, "tangent edges");
     f.around = burnish_allocate_zeroed(memory, mesh->triangle_count, 3 * sizeof *f.around,
                                        "tangent edges");
     const size_t count = memory->status == BURNISH_STATUS_OK ? edges->count : 0;
     for (uint32_t i = 0; i < count; ++i) {
-        f.turns[i] = turn_of(&f, &edges->items[i]);
-        for (int k = 0; k < 2 && f.turns[i] != NO_BEND; ++k) {
+        f.kinds[i] = kind_of(&f, &edges->items[i]);
+        for (int k = 0; k < 2 && f.kinds[i] != NO_BEND; ++k) {
             uint32_t *at = f.around + 3 * (size_t)edges->items[i].triangles[k];
             at[at[0] == 0 ? 0 : at[1] == 0 ? 1 : 2] = i + 1;
         }
     }
-    for (uint32_t i = 0; i < count; ++i) {
-        if (f.turns[i] != 0 && f.turns[i] != NO_BEND &&
-            (begins_bend(&f, i, 0) || begins_bend(&f, i, 1))) {
-            edges->items[i].flags |= BURNISH_EDGE_TANGENT;
+    for (size_t i = 0; i < 2 * count; ++i) { /* a facet is seen across a flat edge */
+        const uint32_t triangle = edges->items[i / 2].triangles[i % 2];
+        for (int k = 0; k < 3 && f.kinds[i / 2] == FLAT_EDGE; ++k) {
+            const uint32_t other = f.around[3 * (size_t)triangle + (size_t)k] - 1;
+            if (other != UINT32_MAX && f.kinds[other] == BENT_EDGE &&
+                begins_bend(&f, other, edges->items[other].triangles[0] != triangle)) {
+                edges->items[other].flags |= BURNISH_EDGE_TANGENT;
+            }
         }
     }
-    burnish_release(memory->context, f.turns);
+    burnish_release(memory->context, f.kinds);
     burnish_release(memory->context, f.around);
 }

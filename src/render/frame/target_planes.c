@@ -14,30 +14,6 @@ static int plane_row(const burnish_output *output, const burnish_tile *tile, int
     return y >= output->rows.first && y < output->rows.end ? y - output->rows.first : -1;
 }
 
-/* What a pixel of each plane holds. */
-typedef struct plane_pixel {
-    float distance;
-    uint32_t triangle;
-    float normal[3];
-} plane_pixel;
-
-/* All planes but coverage. */
-static void store_pixel(const burnish_target *target, int x, int y, const plane_pixel *pixel) {
-    float *depth = plane_at(target->depth, target->depth_stride, x, y, sizeof *depth);
-    uint32_t *triangle =
-        plane_at(target->triangles, target->triangle_stride, x, y, sizeof *triangle);
-    float *normal = plane_at(target->normals, target->normal_stride, x, y, sizeof pixel->normal);
-    if (depth) {
-        *depth = pixel->distance;
-    }
-    if (triangle) {
-        *triangle = pixel->triangle;
-    }
-    if (normal) {
-        memcpy(normal, pixel->normal, sizeof pixel->normal);
-    }
-}
-
 static float distance_of(const burnish_view *view, float depth) {
     const burnish_rays *rays = &view->shading.rays;
     const float q = depth * rays->q_per_depth + rays->q_constant;
@@ -82,20 +58,25 @@ static void unit_normals(const burnish_output *output, const float *const normal
     }
 }
 
-static plane_pixel pixel_of(const burnish_output *output, float depth, uint32_t source,
-                            float (*normals)[BURNISH_SHADE_BATCH], int i) {
-    const burnish_target *target = &output->target;
-    plane_pixel pixel = {0, source >> 1, {0, 0, 0}};
-    if (output->hosts && pixel.triangle >= output->own_triangles) {
-        pixel.triangle = output->hosts[pixel.triangle - output->own_triangles];
+/* All planes but coverage. normals: of a batch, of which the pixel's is number i. */
+static inline void store_pixel(const burnish_output *output, int x, int y, const float *depth,
+                               uint32_t source, float (*normals)[BURNISH_SHADE_BATCH], int i) {
+    const burnish_target *t = &output->target;
+    if (t->depth) {
+        float *to = plane_at(t->depth, t->depth_stride, x, y, sizeof *to);
+        *to = distance_of(output->view, *depth);
     }
-    if (target->depth) {
-        pixel.distance = distance_of(output->view, depth);
+    if (t->triangles) {
+        uint32_t *to = plane_at(t->triangles, t->triangle_stride, x, y, sizeof *to);
+        const uint32_t triangle = source >> 1;
+        *to = output->hosts && triangle >= output->own_triangles
+                  ? output->hosts[triangle - output->own_triangles]
+                  : triangle;
     }
-    for (int k = 0; k < 3 && target->normals; ++k) {
-        pixel.normal[k] = normals[k][i];
+    float *normal = plane_at(t->normals, t->normal_stride, x, y, 3 * sizeof *normal);
+    for (int k = 0; k < 3 && normal; ++k) {
+        normal[k] = normals[k][i];
     }
-    return pixel;
 }
 
 void burnish_planes_store_fragments(const burnish_output *output, const burnish_tile *tile,
@@ -109,11 +90,9 @@ void burnish_planes_store_fragments(const burnish_output *output, const burnish_
         if (fragments->weight[i] <= weights[at] || x >= tile->width || y < 0) {
             continue;
         }
-        const float depth = output->target.depth ? fragments->depth[i] : 0;
-        const plane_pixel pixel =
-            pixel_of(output, depth, fragments->primitives[i].id_and_facing, normals, i);
         weights[at] = fragments->weight[i];
-        store_pixel(&output->target, tile->x + x, y, &pixel);
+        store_pixel(output, tile->x + x, y, &fragments->depth[i],
+                    fragments->primitives[i].id_and_facing, normals, i);
     }
 }
 
@@ -122,10 +101,8 @@ static void store_coverage(const burnish_output *output, int x, int y, int cover
     const burnish_target *target = &output->target;
     uint8_t *coverage = plane_at(target->coverage, target->coverage_stride, x, y, 1);
     const int samples = output->samples;
-    if (coverage) {
-        *coverage = (uint8_t)((255 * covered + samples / 2) / samples);
-        *coverage = *coverage == 0 && layered ? 1 : *coverage;
-    }
+    *coverage = (uint8_t)((255 * covered + samples / 2) / samples);
+    *coverage = *coverage == 0 && layered ? 1 : *coverage;
 }
 
 void burnish_planes_store_row(const burnish_output *output, const burnish_tile *tile,
@@ -147,14 +124,15 @@ void burnish_planes_store_row(const burnish_output *output, const burnish_tile *
         if (simple >= 0) {
             const uint32_t source =
                 target->triangles ? burnish_tile_id_and_facing(tile, number, i, simple) : 0;
-            const plane_pixel pixel =
-                pixel_of(output, tile->buffer.center_depths[base + i], source, normals, i);
-            store_pixel(target, tile->x + x, y, &pixel);
+            store_pixel(output, tile->x + x, y, &tile->buffer.center_depths[base + i], source,
+                        normals, i);
         }
-        const int covered = simple >= 0            ? output->samples
-                            : output->samples == 1 ? 0
-                                                   : sums->covered[base + i];
-        const unsigned layers = burnish_layered_pixels(sums, number, i / BURNISH_BLOCK_PIXELS);
-        store_coverage(output, tile->x + x, y, covered, layers >> i % BURNISH_BLOCK_PIXELS & 1);
+        if (target->coverage) {
+            const int covered = simple >= 0            ? output->samples
+                                : output->samples == 1 ? 0
+                                                       : sums->covered[base + i];
+            const unsigned layers = burnish_layered_pixels(sums, number, i / BURNISH_BLOCK_PIXELS);
+            store_coverage(output, tile->x + x, y, covered, layers >> i % BURNISH_BLOCK_PIXELS & 1);
+        }
     }
 }

@@ -141,11 +141,12 @@ static int is_noise(const sets *s, const burnish_line_art *art, uint32_t line,
            (!(kind & (CLOSED | FEATURE)) && sum < limits->fold);
 }
 
-/* Moves the lines that stay to the front. */
-static void keep_lines(burnish_line_art *art, const sets *s, const burnish_line_limits *limits) {
+/* Moves the lines that stay to the front; returns 1 if there are fewer now. */
+static int keep_lines(burnish_line_art *art, const sets *s, const burnish_line_limits *limits) {
     burnish_lines *lines = &art->lines;
+    const size_t before = lines->line_count;
     size_t kept = 0, points = 0;
-    for (size_t i = 0; i < lines->line_count; ++i) {
+    for (size_t i = 0; i < before; ++i) {
         const size_t first = art->starts[i], count = art->starts[i + 1] - first;
         if (is_noise(s, art, (uint32_t)i, limits)) {
             continue;
@@ -159,6 +160,7 @@ static void keep_lines(burnish_line_art *art, const sets *s, const burnish_line_
     art->starts[kept] = (uint32_t)points;
     lines->line_count = kept;
     lines->point_count = points;
+    return kept < before;
 }
 
 void burnish_line_art_drop_loose(burnish_line_art *art, const burnish_line_limits *limits,
@@ -177,9 +179,10 @@ void burnish_line_art_drop_loose(burnish_line_art *art, const burnish_line_limit
     s.sums = burnish_allocate(memory, count, sizeof *s.sums, what);
     s.loose = burnish_allocate(memory, count, 1, what);
     s.kinds = burnish_allocate(memory, count, 1, what);
-    for (int pass = 0; pass < PASSES && memory->status == BURNISH_STATUS_OK; ++pass) {
+    int pass = memory->status == BURNISH_STATUS_OK ? 0 : PASSES;
+    for (int has_dropped = 1; pass < PASSES && has_dropped; ++pass) {
         measure_sets(&s, art, limits->outline);
-        keep_lines(art, &s, limits);
+        has_dropped = keep_lines(art, &s, limits);
     }
     void *const arrays[] = {s.cells, s.parents, s.lengths, s.sums, s.loose, s.kinds};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; ++i) {
