@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 enum {
-    ROOM = 24 << 20, /* needed to draw a common mesh; only touched pages count */
+    ROOM = 28 << 20, /* needed to draw a common mesh; only touched pages count */
     KEPT = 32 << 20, /* the largest threshold that the library accepts */
     LARGE_PAGE = 1 << 21
 };

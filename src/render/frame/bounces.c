@@ -33,7 +33,7 @@ void burnish_occlude_batch(const burnish_shading *shading, const burnish_fragmen
     const int values = shading->ray_light ? 1 : 2;
     for (int i = 0; shading->hollow_from > 0 && i < values * batch->count; ++i) {
         float *const own = &scratch->share.open[i % values][i / values];
-        const int is_hollow = scratch->texture.ids[i / values] >> 1 >= shading->hollow_from;
+        const int is_hollow = scratch->ids[i / values] >> 1 >= shading->hollow_from;
         *own = is_hollow && *own < HOLLOW_OPEN ? HOLLOW_OPEN : *own;
     }
     float *const open = scratch->share.open[0];
@@ -120,9 +120,9 @@ static void add_fragments(const burnish_surface *surface, const burnish_raster_o
         for (int i = 0; i < batch.count; ++i) {
             const int is_cap = surface->caps && scratch->hatch[i] != BURNISH_NO_CAP;
             ranks[i] = burnish_ray_rank(fragments->samples[i]);
-            scratch->texture.ids[i] = is_cap ? UINT32_MAX : scratch->texture.ids[i];
+            scratch->ids[i] = is_cap ? UINT32_MAX : scratch->ids[i];
         }
-        add_points(surface->shading, &batch, ranks, scratch->texture.ids, scratch);
+        add_points(surface->shading, &batch, ranks, scratch->ids, scratch);
     }
 }
 

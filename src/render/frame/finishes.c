@@ -95,7 +95,7 @@ static void weigh_coat(const burnish_shading *shading, const burnish_kernels_poi
     const int has_share = textured && textured->samplers[BURNISH_TEXTURE_OPACITY].levels;
     const float *normal[3];
     for (int k = 0; k < 3; ++k) {
-        normal[k] = has_normals ? scratch->texture.normal[k] : points->normal[k];
+        normal[k] = has_normals ? scratch->texture->normal[k] : points->normal[k];
     }
     for (int i = 0; i < count; ++i) {
         const float n[3] = {normal[0][i], normal[1][i], normal[2][i]};
@@ -107,7 +107,7 @@ static void weigh_coat(const burnish_shading *shading, const burnish_kernels_poi
         const float fresnel =
             COAT_REFLECTANCE + (1 - COAT_REFLECTANCE) * ((squared * squared) * fall);
         float share = layers->material->coat;
-        share *= has_share ? scratch->texture.opacity[i] : 1;
+        share *= has_share ? scratch->texture->opacity[i] : 1;
         scratch->below[i] = 1 - share * fresnel;
         for (int k = 0; k < 3; ++k) { /* the ambient light comes from everywhere */
             scratch->coat[k][i] = share * (scratch->coat[k][i] + fresnel * ambient[k]);
@@ -153,7 +153,7 @@ static void add_sheen(const burnish_shading *shading, const burnish_kernels_poin
                       int count, int material, burnish_fragment_scratch *scratch,
                       float *const rgb[3]) {
     const burnish_layers *layers = &shading->layers[material];
-    const burnish_texture_scratch *textures = &scratch->texture;
+    const burnish_texture_scratch *textures = scratch->texture;
     const burnish_textured_material *textured =
         shading->texturing ? &shading->texturing->materials[material] : NULL;
     burnish_kernels_points points = *given;

@@ -57,7 +57,7 @@ void burnish_shade_material(const burnish_shading *shading, const burnish_fragme
     burnish_area_batch lit = {.points = points,
                               .material = material,
                               .count = count,
-                              .textures = &scratch->texture,
+                              .textures = scratch->texture,
                               .scratch = &scratch->near,
                               .cells = &scratch->cells,
                               .screen = &batch->points,
@@ -75,7 +75,7 @@ void burnish_shade_material(const burnish_shading *shading, const burnish_fragme
                                                 &texturing->materials[material],
                                                 {from[0], from[1]},
                                                 count,
-                                                &scratch->texture};
+                                                scratch->texture};
         burnish_texture_shade(texturing, shader, points, &textured, rgb);
         lit.textured = textured.material;
     } else {
@@ -109,7 +109,7 @@ static void add_stream(burnish_batch_streams *streams, const float *from, float 
 static int smooth_samples(const burnish_shading *shading, int material,
                           const burnish_fragment_scratch *scratch) {
     const burnish_texturing *texturing = shading->texturing;
-    return scratch->texture.has_shifts && texturing->materials[material].is_smooth
+    return scratch->texture->has_shifts && texturing->materials[material].is_smooth
                ? texturing->smooth_samples
                : 0;
 }
@@ -117,15 +117,15 @@ static int smooth_samples(const burnish_shading *shading, int material,
 /* Takes the opacity of a group's points back to the batch. */
 static void scatter_opacity(const burnish_shading *shading, const burnish_fragment_batch *batch,
                             int material, int size, burnish_fragment_scratch *scratch) {
-    float *const alpha = scratch->texture.alpha;
-    const float *const from[3] = {scratch->texture.opacity, scratch->texture.opacity,
-                                  scratch->texture.opacity};
+    float *const alpha = scratch->texture->alpha;
+    const float *const from[3] = {scratch->texture->opacity, scratch->texture->opacity,
+                                  scratch->texture->opacity};
     float *const to[3] = {alpha, alpha, alpha};
     shading->ops->scatter_material(material, batch->material, size, scratch->group.starts, from,
                                    to);
     for (int s = 0; s < smooth_samples(shading, material, scratch); s += 2) { /* an even number */
-        float(*cover)[BURNISH_TEXTURE_BATCH] = scratch->texture.cover + s;
-        float(*covers)[BURNISH_TEXTURE_BATCH] = scratch->texture.covers + s;
+        float(*cover)[BURNISH_TEXTURE_BATCH] = scratch->texture->cover + s;
+        float(*covers)[BURNISH_TEXTURE_BATCH] = scratch->texture->covers + s;
         const float *const part[3] = {cover[0], cover[1], cover[1]};
         float *const all[3] = {covers[0], covers[1], covers[1]};
         shading->ops->scatter_material(material, batch->material, size, scratch->group.starts, part,
@@ -189,9 +189,9 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
     }
     for (int k = 0; shading->texturing && k < BURNISH_TEXTURE_STREAMS; ++k) {
         if (k < BURNISH_TEXTURE_SHIFT_X ||
-            (k < BURNISH_TEXTURE_SECOND ? scratch->texture.has_shifts
+            (k < BURNISH_TEXTURE_SECOND ? scratch->texture->has_shifts
                                         : shading->texturing->needs_second)) {
-            add_stream(&streams, scratch->texture.points[k], scratch->texture.brought[k]);
+            add_stream(&streams, scratch->texture->points[k], scratch->texture->brought[k]);
         }
     }
     memcpy(group->left, batch->material, (size_t)padded_count(batch->count) * sizeof *group->left);
@@ -201,11 +201,12 @@ static void shade_mixed(const burnish_shading *shading, const burnish_fragment_b
             const int size = shading->ops->collect_material(material, i, batch->count, group->left,
                                                             &streams, group->starts);
             part.count = size;
-            burnish_shade_layers(shading, &part, &brought, scratch->texture.brought, material,
+            burnish_shade_layers(shading, &part, &brought,
+                                 shading->texturing ? scratch->texture->brought : NULL, material,
                                  scratch, light);
             if (shading->occlusion) {
                 burnish_add_bounces(shading, &brought, size, material, group->open,
-                                    &scratch->texture, light);
+                                    scratch->texture, light);
             }
             shading->ops->scatter_material(material, batch->material, size, group->starts, shaded,
                                            rgb);
@@ -251,22 +252,23 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
         burnish_occlude_batch(shading, batch, &points, scratch);
     }
     if (shading->texturing) {
-        locate_textures(shading, batch, &scratch->texture);
+        locate_textures(shading, batch, scratch->texture);
     }
     if (has_one_material(batch)) {
         const int material = batch->material ? batch->material[0] : 0;
-        burnish_shade_layers(shading, batch, &points, scratch->texture.points, material, scratch,
-                             rgb);
+        burnish_shade_layers(shading, batch, &points,
+                             shading->texturing ? scratch->texture->points : NULL, material,
+                             scratch, rgb);
         if (shading->occlusion) {
             burnish_add_bounces(shading, &points, batch->count, material, scratch->share.open,
-                                &scratch->texture, rgb);
+                                scratch->texture, rgb);
         }
         burnish_keep_passed(shading, NULL, material, batch->count, scratch);
         if (shading->texturing && shading->texturing->materials[material].is_alpha) {
-            memcpy(scratch->texture.alpha, scratch->texture.opacity, sizeof scratch->texture.alpha);
+            memcpy(scratch->texture->alpha, scratch->texture->opacity, sizeof scratch->texture->alpha);
             for (int s = 0; s < smooth_samples(shading, material, scratch); ++s) {
-                memcpy(scratch->texture.covers[s], scratch->texture.cover[s],
-                       (size_t)batch->count * sizeof *scratch->texture.covers[s]);
+                memcpy(scratch->texture->covers[s], scratch->texture->cover[s],
+                       (size_t)batch->count * sizeof *scratch->texture->covers[s]);
             }
         }
     } else if (shading->mixed_body != BURNISH_LOBE_BODY_NONE && !shading->area &&
@@ -421,7 +423,7 @@ static void shade_run(const burnish_surface *surface, const burnish_tile *tile,
         batch.material = scratch->material + run.first;
     }
     if (surface->shading->texturing || surface->shading->hollow_from > 0) {
-        find_triangles(tile, run, &row->pixels, scratch->texture.ids);
+        find_triangles(tile, run, &row->pixels, scratch->ids);
     }
     shade_batch(surface->shading, &batch, scratch, rgb);
 }
@@ -527,7 +529,7 @@ static void gather_fragments(const burnish_surface *surface, burnish_fragments *
         if (surface->triangle_materials) {
             scratch->material[i] = surface->triangle_materials[primitive->id_and_facing >> 1];
         }
-        scratch->texture.ids[i] = primitive->id_and_facing;
+        scratch->ids[i] = primitive->id_and_facing;
     }
     for (int k = 0; k < 3; ++k) {
         clear_tail(scratch->normal[k], fragments->count);

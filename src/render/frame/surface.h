@@ -120,7 +120,7 @@ typedef struct burnish_material_group {
     uint8_t starts[BURNISH_SHADE_BATCH]; /* of each vector: its first item in the batch */
 } burnish_material_group;
 
-/* A thread's arrays. All but texture zero before the first use. */
+/* A thread's arrays. All zero before the first use. */
 typedef struct burnish_fragment_scratch {
     float normal[3][BURNISH_SHADE_BATCH], color[3][BURNISH_SHADE_BATCH]; /* times 1/w */
     float inverse_w[BURNISH_SHADE_BATCH];
@@ -140,8 +140,8 @@ typedef struct burnish_fragment_scratch {
     float hatch[BURNISH_SHADE_BATCH];  /* of fragments: burnish_cap_hatch */
     float facing[BURNISH_SHADE_BATCH]; /* of fragments: 1: the front is seen; 2: and refracts; -1 */
     burnish_code_direction known;      /* of the tile */
-    int has_textures;                  /* 1: texture is zero or was used; else it is unset */
-    burnish_texture_scratch texture;   /* two thirds of all, and few frames have textures */
+    uint32_t ids[BURNISH_SHADE_BATCH]; /* id and facing of each point's triangle */
+    burnish_texture_scratch *texture;  /* NULL until a frame has textures */
 } burnish_fragment_scratch;
 
 /* A row of blocks: what its pixels show, and the colours of the simple ones. Those of others are
@@ -204,13 +204,13 @@ void burnish_add_bounces_mixed(const burnish_shading *shading, const burnish_fra
 void burnish_find_first_volumes(const burnish_surface *surface, const burnish_fragments *fragments,
                                 burnish_fragment_scratch *scratch);
 
-/* Writes to scratch->texture.passed what of the light from straight behind passes through points of
+/* Writes to scratch->texture->passed what of the light from straight behind passes through points of
  * a material that `passes`, just shaded, and adds to their colours what is refracted. */
 void burnish_pass_light(const burnish_shading *shading, const burnish_kernels_points *points,
                         int material, int count, burnish_fragment_scratch *scratch,
                         float *const rgb[3]);
 
-/* Copies it to scratch->texture.through, if light passes through the material.
+/* Copies it to scratch->texture->through, if light passes through the material.
  *   materials  of the batch, of which scratch->group has `material`; NULL: it is the only one */
 void burnish_keep_passed(const burnish_shading *shading, const int32_t *materials, int material,
                          int size, burnish_fragment_scratch *scratch);

@@ -83,7 +83,7 @@ static void shade_pass(const burnish_frame *frame, const burnish_surface *surfac
     const float *const shaded[3] = {light[0], light[1], light[2]};
     const int wanted = frame->output.target.pixels.pixels != NULL;
     const burnish_texturing *texturing = surface->shading->texturing;
-    burnish_texture_scratch *textures = &worker->scratch.texture;
+    burnish_texture_scratch *textures = worker->scratch.texture;
     const int has_alpha = wanted && texturing && texturing->has_alpha;
     const int has_covers = has_alpha && texturing->smooth_samples;
     const burnish_layer_values values = {wanted ? shaded : NULL,
@@ -94,7 +94,9 @@ static void shade_pass(const burnish_frame *frame, const burnish_surface *surfac
                                          frame->output.limit};
     burnish_layer_cursor cursor = {0};
     while (burnish_layers_next(tile, surface->view, frame->geometry, &cursor, fragments)) {
-        memset(textures->through, 0, values.passed ? sizeof textures->through : 0);
+        if (values.passed) {
+            memset(textures->through, 0, sizeof textures->through);
+        }
         burnish_shade_fragments(surface, tile, fragments, &worker->scratch, wanted ? light : NULL);
         burnish_layer_light_add(worker->layers, surface, fragments, &values);
         for (int i = 0; i < fragments->count && frame->drawn; ++i) {
@@ -366,6 +368,7 @@ static void destroy_workers(burnish_tiles *tiles, const burnish_context *context
         burnish_release(context, tiles->workers[i].layers);
         burnish_release(context, tiles->workers[i].carver);
         burnish_release(context, tiles->workers[i].scratch.rays);
+        burnish_release(context, tiles->workers[i].scratch.texture);
     }
     burnish_release(context, tiles->workers);
     tiles->workers = NULL;
@@ -376,12 +379,10 @@ static burnish_status create_workers(burnish_tiles *tiles, int count,
                                      const burnish_tile_options *options,
                                      const burnish_context *context, burnish_error *error) {
     burnish_memory memory = burnish_memory_of(context, error);
-    tiles->workers = burnish_allocate(&memory, (size_t)count, sizeof *tiles->workers, "tiles");
+    tiles->workers =
+        burnish_allocate_zeroed(&memory, (size_t)count, sizeof *tiles->workers, "tiles");
     if (!tiles->workers) {
         return memory.status;
-    }
-    for (int i = 0; i < count; ++i) {
-        memset(&tiles->workers[i], 0, offsetof(burnish_tile_worker, scratch.texture));
     }
     burnish_status status = BURNISH_STATUS_OK;
     tiles->worker_count = count;
@@ -446,12 +447,15 @@ static burnish_status prepare_workers(const burnish_frame *frame, burnish_tiles 
         worker->tile.coder = &worker->coder;
         worker->covered_pixels = 0;
         worker->is_carved_too_much = 0;
-        if (surface->shading->texturing) {
-            if (!worker->scratch.has_textures) {
-                memset(&worker->scratch.texture, 0, sizeof worker->scratch.texture);
-                worker->scratch.has_textures = 1;
-            }
-            burnish_texture_begin(&worker->scratch.texture);
+        burnish_texture_scratch *texture = worker->scratch.texture;
+        if (surface->shading->texturing && !texture && status == BURNISH_STATUS_OK) {
+            texture = burnish_allocate_zeroed(&memory, 1, sizeof *texture, "textures of a tile");
+            worker->scratch.texture = texture;
+            status = memory.status;
+        }
+        if (texture) {
+            texture->ids = worker->scratch.ids;
+            burnish_texture_begin(texture);
         }
         if (worker->tile.layers) {
             worker->tile.layers->dropped = 0;

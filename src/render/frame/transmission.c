@@ -11,7 +11,7 @@ static void trace_light(const burnish_shading *shading, const burnish_passing *p
                         int material, int count, float *const *seen,
                         burnish_fragment_scratch *scratch, float *const rgb[3]) {
     const burnish_area *area = shading->area;
-    burnish_texture_scratch *textures = &scratch->texture;
+    burnish_texture_scratch *textures = scratch->texture;
     burnish_refracted refracted;
     const float *const to[3] = {refracted.to[0], refracted.to[1], refracted.to[2]};
     float straight[3][BURNISH_SHADE_BATCH] = {{0}}, sums[3][BURNISH_SHADE_BATCH] = {{0}};
@@ -61,7 +61,7 @@ void burnish_pass_light(const burnish_shading *shading, const burnish_kernels_po
                         int material, int count, burnish_fragment_scratch *scratch,
                         float *const rgb[3]) {
     const int is_group = points->normal[0] == scratch->group.normal[0];
-    burnish_texture_scratch *textures = &scratch->texture;
+    burnish_texture_scratch *textures = scratch->texture;
     const burnish_textured_material *from = &shading->texturing->materials[material];
     const burnish_area *area = shading->area;
     const int has_maps = area && area->constants.diffuse &&
@@ -106,12 +106,12 @@ void burnish_pass_light(const burnish_shading *shading, const burnish_kernels_po
 
 void burnish_keep_passed(const burnish_shading *shading, const int32_t *materials, int material,
                          int size, burnish_fragment_scratch *scratch) {
-    burnish_texture_scratch *textures = &scratch->texture;
-    const float *const from[3] = {textures->passed[0], textures->passed[1], textures->passed[2]};
-    float *const to[3] = {textures->through[0], textures->through[1], textures->through[2]};
+    burnish_texture_scratch *textures = scratch->texture;
     if (!shading->texturing || !shading->texturing->materials[material].passes) {
         return;
     }
+    const float *const from[3] = {textures->passed[0], textures->passed[1], textures->passed[2]};
+    float *const to[3] = {textures->through[0], textures->through[1], textures->through[2]};
     if (materials) {
         shading->ops->scatter_material(material, materials, size, scratch->group.starts, from, to);
     } else {

@@ -158,7 +158,7 @@ enum {
 };
 
 typedef struct burnish_texture_scratch {
-    uint32_t ids[BURNISH_TEXTURE_BATCH];     /* id and facing of each point's triangle */
+    uint32_t *ids;                           /* id and facing of each point's triangle */
     uint16_t records[BURNISH_TEXTURE_BATCH]; /* and its number in corners */
     uint8_t is_uniform[BURNISH_TEXTURE_BATCH / BURNISH_TEXTURE_GROUP]; /* 1: a group has one */
     float corners[BURNISH_TEXTURE_RECORDS + BURNISH_TEXTURE_GROUP][BURNISH_CORNER_FLOATS];
