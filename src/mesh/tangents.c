@@ -5,10 +5,9 @@
 #include "mesh/build/builder.h"
 #include "mesh/edges.h"
 
-#define FLAT 1e-3 /* sine: triangles are in one plane */
-#define SIMILAR                                                                                    \
-    0.08          /* the largest share by which turns and widths differ; sin 15 / sin 30 = 0.52 */
-#define REACH 3 /* triangles of a facet */
+#define FLAT 1e-3    /* sine: triangles are in one plane */
+#define SIMILAR 0.08 /* share by which turns and widths may differ; sin 15 / sin 30 = 0.52 */
+#define REACH 3      /* triangles of a facet */
 
 enum { NO_BEND, FLAT_EDGE, BENT_EDGE };
 
@@ -44,7 +43,7 @@ static uint8_t kind_of(const finder *f, const burnish_edge *edge) {
     const burnish_vec3 across = burnish_vec3_cross(a, b);
     const double cosine = burnish_vec3_dot(a, b);
     const double squares = burnish_vec3_dot(a, a) * burnish_vec3_dot(b, b);
-    return !(cosine > 0 && 4 * cosine * cosine > squares)            ? NO_BEND
+    return !(cosine > 0 && 4 * cosine * cosine > squares)             ? NO_BEND
            : burnish_vec3_dot(across, across) < FLAT * FLAT * squares ? FLAT_EDGE
                                                                       : BENT_EDGE;
 }
@@ -66,9 +65,8 @@ static int is_similar(double a, double b) {
     return burnish_magnitude(a - b) < SIMILAR * burnish_magnitude(b);
 }
 
-static int share_end(const burnish_edge *a, const burnish_edge *b) {
-    return a->ends[0] == b->ends[0] || a->ends[0] == b->ends[1] || a->ends[1] == b->ends[0] ||
-           a->ends[1] == b->ends[1];
+static int has_end(const burnish_edge *edge, uint32_t vertex) {
+    return edge->ends[0] == vertex || edge->ends[1] == vertex;
 }
 
 /* From an edge across the facet of a triangle, which is entered from another edge. */
@@ -84,7 +82,7 @@ static crossing cross_facet(const finder *f, const burnish_edge *edge, uint32_t 
         const uint32_t beyond = other->triangles[other->triangles[0] == triangle];
         if (f->kinds[i] == FLAT_EDGE) {
             found = cross_facet(f, edge, beyond, i, reach - 1);
-        } else if (!share_end(edge, other)) {
+        } else if (!has_end(edge, other->ends[0]) && !has_end(edge, other->ends[1])) {
             const double wide = distance_of(f, edge, other->ends[0]);
             if (is_similar(distance_of(f, edge, other->ends[1]), wide)) { /* parallel */
                 found = (crossing){i, beyond, turn_of(f, other), wide};
@@ -111,9 +109,8 @@ static int begins_bend(const finder *f, uint32_t i, int side) {
 void burnish_edges_find_tangents(const burnish_mesh_view *mesh, burnish_memory *memory,
                                  burnish_edges *edges) {
     finder f = {mesh, edges->items, NULL, NULL};
-    f.kinds = burnish_allocate(memory, edges->count, sizeof *f.kinds, "tangent edges");
-    f.around = burnish_allocate_zeroed(memory, mesh->triangle_count, 3 * sizeof *f.around,
-                                       "tangent edges");
+    f.kinds = burnish_allocate(memory, edges->count, sizeof *f.kinds, "edges");
+    f.around = burnish_allocate_zeroed(memory, mesh->triangle_count, 3 * sizeof *f.around, "edges");
     const size_t count = memory->status == BURNISH_STATUS_OK ? edges->count : 0;
     for (uint32_t i = 0; i < count; ++i) {
         f.kinds[i] = kind_of(&f, &edges->items[i]);

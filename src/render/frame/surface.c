@@ -265,7 +265,8 @@ static void shade_batch(const burnish_shading *shading, const burnish_fragment_b
         }
         burnish_keep_passed(shading, NULL, material, batch->count, scratch);
         if (shading->texturing && shading->texturing->materials[material].is_alpha) {
-            memcpy(scratch->texture->alpha, scratch->texture->opacity, sizeof scratch->texture->alpha);
+            memcpy(scratch->texture->alpha, scratch->texture->opacity,
+                   sizeof scratch->texture->alpha);
             for (int s = 0; s < smooth_samples(shading, material, scratch); ++s) {
                 memcpy(scratch->texture->covers[s], scratch->texture->cover[s],
                        (size_t)batch->count * sizeof *scratch->texture->covers[s]);

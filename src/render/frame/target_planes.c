@@ -96,15 +96,6 @@ void burnish_planes_store_fragments(const burnish_output *output, const burnish_
     }
 }
 
-/* Where layers alone cover a pixel, it counts as covered, but hides no splat. */
-static void store_coverage(const burnish_output *output, int x, int y, int covered, int layered) {
-    const burnish_target *target = &output->target;
-    uint8_t *coverage = plane_at(target->coverage, target->coverage_stride, x, y, 1);
-    const int samples = output->samples;
-    *coverage = (uint8_t)((255 * covered + samples / 2) / samples);
-    *coverage = *coverage == 0 && layered ? 1 : *coverage;
-}
-
 void burnish_planes_store_row(const burnish_output *output, const burnish_tile *tile,
                               const burnish_tile_sums *sums, int number,
                               const burnish_block_row *pixels) {
@@ -127,12 +118,14 @@ void burnish_planes_store_row(const burnish_output *output, const burnish_tile *
             store_pixel(output, tile->x + x, y, &tile->buffer.center_depths[base + i], source,
                         normals, i);
         }
-        if (target->coverage) {
-            const int covered = simple >= 0            ? output->samples
-                                : output->samples == 1 ? 0
-                                                       : sums->covered[base + i];
+        uint8_t *coverage =
+            plane_at(target->coverage, target->coverage_stride, tile->x + x, y, sizeof *coverage);
+        if (coverage) { /* where layers alone cover a pixel, it counts, but hides no splat */
+            const unsigned samples = (unsigned)output->samples, on = simple >= 0 ? samples : 0;
+            const unsigned covered = on || samples == 1 ? on : sums->covered[base + i];
             const unsigned layers = burnish_layered_pixels(sums, number, i / BURNISH_BLOCK_PIXELS);
-            store_coverage(output, tile->x + x, y, covered, layers >> i % BURNISH_BLOCK_PIXELS & 1);
+            const unsigned code = (255 * covered + samples / 2) / samples;
+            *coverage = (uint8_t)(code > 0 ? code : layers >> i % BURNISH_BLOCK_PIXELS & 1);
         }
     }
 }

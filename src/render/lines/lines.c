@@ -170,32 +170,31 @@ static int select_edge(const selection *s, const burnish_edge *edge,
     return 1;
 }
 
-static void count_block(void *context, size_t block, int thread) {
-    const selection *s = context;
+/* Counts a block's segments, and fills them unless they are NULL. */
+static size_t select_block(const selection *s, size_t block, burnish_line_segment *segments) {
     const burnish_edges *edges = &s->art->edges;
     const size_t first = block * EDGE_BLOCK;
     const size_t end = edges->count - first < EDGE_BLOCK ? edges->count : first + EDGE_BLOCK;
     size_t count = 0;
-    (void)thread;
     for (size_t i = first; i < end; ++i) {
-        count += (size_t)select_edge(s, &edges->items[i], NULL);
+        if (select_edge(s, &edges->items[i], NULL)) {
+            count += segments ? (size_t)select_edge(s, &edges->items[i], segments + count) : 1;
+        }
     }
-    s->art->block_counts[block] = count;
+    return count;
+}
+
+static void count_block(void *context, size_t block, int thread) {
+    const selection *s = context;
+    (void)thread;
+    s->art->block_counts[block] = select_block(s, block, NULL);
 }
 
 /* block_counts[block]: where the block's segments start. */
 static void fill_block(void *context, size_t block, int thread) {
     const selection *s = context;
-    const burnish_edges *edges = &s->art->edges;
-    const size_t first = block * EDGE_BLOCK;
-    const size_t end = edges->count - first < EDGE_BLOCK ? edges->count : first + EDGE_BLOCK;
-    burnish_line_segment *segment = s->art->segments + s->art->block_counts[block];
     (void)thread;
-    for (size_t i = first; i < end; ++i) {
-        if (select_edge(s, &edges->items[i], NULL)) {
-            select_edge(s, &edges->items[i], segment++);
-        }
-    }
+    select_block(s, block, s->art->segments + s->art->block_counts[block]);
 }
 
 /* The segments of a frame, in the order of edges. */

@@ -179,10 +179,10 @@ void burnish_line_art_drop_loose(burnish_line_art *art, const burnish_line_limit
     s.sums = burnish_allocate(memory, count, sizeof *s.sums, what);
     s.loose = burnish_allocate(memory, count, 1, what);
     s.kinds = burnish_allocate(memory, count, 1, what);
-    int pass = memory->status == BURNISH_STATUS_OK ? 0 : PASSES;
-    for (int has_dropped = 1; pass < PASSES && has_dropped; ++pass) {
+    int is_done = memory->status != BURNISH_STATUS_OK;
+    for (int pass = 0; pass < PASSES && !is_done; ++pass) {
         measure_sets(&s, art, limits->outline);
-        has_dropped = keep_lines(art, &s, limits);
+        is_done = !keep_lines(art, &s, limits);
     }
     void *const arrays[] = {s.cells, s.parents, s.lengths, s.sums, s.loose, s.kinds};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; ++i) {
