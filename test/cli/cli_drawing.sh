@@ -198,6 +198,9 @@ END
 done
 block 100 100 40 >a.obj # the letters of the plane leave room for the height
 expect 0 '' render a.obj --up=+Z --look=drawing --views=third-angle --paper=a4 --annotate=dimensions --section=z -o a.svg
+block 200 58 14 >a.obj # longer arrows are no help here
+expect 0 'burnish: warning: a.obj: front has no room for 1 of the annotations; enlarge the picture or its margin' \
+    render a.obj --up=+Z --look=drawing --views=third-angle --size=300 --annotate=dimensions --section=x -o a.svg
 # Pages have the size of their paper and a title block, which cuts names that are too long.
 cp ../block.obj "a-part-whose-name-is-much-too-long-for-the-title-block-of-a-drawing-on-a-page-of-paper.obj"
 for page in a4=297=210 a3=420=297; do
