@@ -209,16 +209,15 @@ static void test_dashes(double height) {
     drop(&d);
 }
 
-/* The axis of a prism of 24 sides: a chain line from the side, a cross along it, 12 widths longer at
- * each end than the prism is high or wide. */
-static void test_centers(int is_along) {
-    enum { SIDES = 24 };
-    const double position[3] = {0, is_along ? 0 : -9, is_along ? 9 : 0};
+enum { SIDES = 24 };
+
+/* A prism around z. Each third upper corner is moved outward. */
+static shape make_prism(double moved) {
     shape s = {.point_count = 0};
     for (int i = 0; i < SIDES; ++i) {
-        const double angle = 2 * acos(-1) * i / SIDES;
+        const double angle = 2 * acos(-1) * i / SIDES, r = 1 + moved * (i % 3 == 0);
         add_point(&s, cos(angle), sin(angle), -1); /* 2 i, and 2 i + 1 above it */
-        add_point(&s, cos(angle), sin(angle), 1);
+        add_point(&s, r * cos(angle), r * sin(angle), 1);
     }
     for (uint32_t i = 0; i < SIDES; ++i) {
         const uint32_t next = (i + 1) % SIDES;
@@ -228,6 +227,29 @@ static void test_centers(int is_along) {
             add_triangle(&s, 0, 2 * next, 2 * i);
         }
     }
+    return s;
+}
+
+/* A circle behind a box is dashed all around, though some of its walls are silhouettes: they are too
+ * short to be drawn. */
+static void test_hidden_circle(void) {
+    static const double position[3] = {0, 0, 9};
+    shape s = make_prism(1e-3);
+    add_box(&s, (const double[]){-2, -2, 2}, (const double[]){2, 2, 3});
+    drawn d = draw_shape(&s, position, 5, BURNISH_EDGES_FEATURES | BURNISH_EDGES_HIDDEN);
+    const double length = SIDES * 2 * sin(acos(-1) / SIDES) * SIZE / 5;
+    const double count = floor(length / (7.5 * (double)d.options.edge_width) + 0.5);
+    const double sum = length_of_lines(d.lines) - 16 * SIZE / 5.0;
+    const double expected = length * 11 * count / (15 * count - 4);
+    CHECK(fabs(sum - expected) < 3, "%g pixels of dashes, expected %g", sum, expected);
+    drop(&d);
+}
+
+/* The axis of a prism: a chain line from the side, a cross along it, 12 widths longer at each end than
+ * the prism is high or wide. */
+static void test_centers(int is_along) {
+    const double position[3] = {0, is_along ? 0 : -9, is_along ? 9 : 0};
+    const shape s = make_prism(0);
     drawn d = draw_shape(&s, position, 4, BURNISH_EDGES_FEATURES);
     const double bare = length_of_lines(d.lines);
     d.options.edges |= BURNISH_EDGES_CENTERS;
@@ -607,6 +629,7 @@ int main(int count, char **arguments) {
     RUN(test_centers(0));
     RUN(test_centers(1));
     RUN(test_hidden_part());
+    RUN(test_hidden_circle());
     RUN(test_sphere());
     RUN(test_grid());
     RUN(test_flipped());

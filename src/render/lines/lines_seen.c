@@ -470,10 +470,10 @@ void burnish_line_art_trace(burnish_line_art *art, burnish_line_scene *scene, co
     const double step = length / (double)samples;
     const int feature = art->segments[chain[0] / 2].is_feature;
     const double least = !scene->taken ? SHORTEST : feature == 1 ? STUB : scene->hidden_fold;
-    look_along(art, scene, c, samples, step, states);
-    if (scene->taken && feature == 2) {
+    if (scene->taken && (feature == 2 || length <= least)) {
         return;
     }
+    look_along(art, scene, c, samples, step, states);
     for (size_t first = 0, end; first < samples; first = end) {
         end = run_end(states, first, samples);
         const int was_covered = first > 0 && states[first - 1] == COVERED;
