@@ -297,14 +297,18 @@ static void test_tangents(int is_flat) {
     drop(&d);
 }
 
-/* Of a plate's upper edge, seen along y, a box before it hides the part between its sides. */
-static void test_hidden_part(void) {
+/* Of a plate's upper edge, seen along y, a box before it hides the part between its sides, which are
+ * upright or cross the edge at 14 degrees. */
+static void test_hidden_part(double slope) {
     static const double back[2][3] = {{-2, 1, -1}, {2, 1.5, 1}};
     static const double front[2][3] = {{-0.53, -1, -1.5}, {0.71, 0, 1.5}};
     static const double position[3] = {0, -10, 0};
     shape s = {.point_count = 0};
     add_box(&s, back[0], back[1]);
     add_box(&s, front[0], front[1]);
+    for (float *p = s.points + 24; p < s.points + 48; p += 3) {
+        p[0] += (float)slope * (p[2] - 1);
+    }
     drawn d = draw_shape(&s, position, 5, BURNISH_EDGES_FEATURES);
     for (int side = 0; side < 2; ++side) {
         const double x = front[side][0];
@@ -628,7 +632,8 @@ int main(int count, char **arguments) {
     RUN(test_tangents(1));
     RUN(test_centers(0));
     RUN(test_centers(1));
-    RUN(test_hidden_part());
+    RUN(test_hidden_part(0));
+    RUN(test_hidden_part(4));
     RUN(test_hidden_circle());
     RUN(test_sphere());
     RUN(test_grid());

@@ -8,8 +8,7 @@
 enum {
     SAMPLES_MAX = 1 << 16, /* of a chain, which has at most 32,000 pixels and a segment more */
     GAP_MAX = 2,           /* samples: shorter gaps are closed */
-    SWITCH_MAX = 4,        /* samples: a shorter change between outline and inner line is none */
-    TRIM_MAX = 10          /* samples that are taken from a line which passes behind another one */
+    SWITCH_MAX = 4         /* samples: a shorter change between outline and inner line is none */
 };
 
 /* What a sample shows; RIM: an outline where the background begins. COVERED: another line is drawn
@@ -217,19 +216,15 @@ static size_t run_end(const uint8_t *states, size_t first, size_t count) {
     return end;
 }
 
-/* Blocked samples next to a run of hidden ones become hidden, but for the two farthest from it. All
- * lose the mark. */
+/* Blocked samples next to a run of hidden ones become hidden. All lose the mark. */
 static void trim_blocked(uint8_t *states, size_t count) {
     for (size_t first = 0, end; first < count; first = end) {
         end = run_end(states, first, count);
         if (states[first] == HIDDEN && end - first > GAP_MAX) {
-            const size_t last = end;
-            for (size_t i = first;
-                 i > 2 && first - i < TRIM_MAX && states[i - 1] & states[i - 3] & BLOCKED; --i) {
+            for (size_t i = first; i > 0 && states[i - 1] & BLOCKED; --i) {
                 states[i - 1] = HIDDEN;
             }
-            while (end + 2 < count && end - last < TRIM_MAX &&
-                   states[end] & states[end + 2] & BLOCKED) {
+            while (end < count && states[end] & BLOCKED) {
                 states[end++] = HIDDEN;
             }
         }
