@@ -98,6 +98,7 @@ typedef struct selection {
     const burnish_mesh_view *mesh;
     const burnish_render_options *options;
     burnish_line_projection projection;
+    int fills; /* 1: segments have room */
 } selection;
 
 static void find_facing(void *context, size_t first, size_t end) {
@@ -170,31 +171,20 @@ static int select_edge(const selection *s, const burnish_edge *edge,
     return 1;
 }
 
-/* Counts a block's segments, and fills them unless they are NULL. */
-static size_t select_block(const selection *s, size_t block, burnish_line_segment *segments) {
+/* Counts the segments of a block of edges, or fills those from block_counts[block] on. */
+static void select_block(void *context, size_t block, int thread) {
+    const selection *s = context;
     const burnish_edges *edges = &s->art->edges;
     const size_t first = block * EDGE_BLOCK;
     const size_t end = edges->count - first < EDGE_BLOCK ? edges->count : first + EDGE_BLOCK;
+    burnish_line_segment *to = s->fills ? s->art->segments + s->art->block_counts[block] : NULL;
     size_t count = 0;
     for (size_t i = first; i < end; ++i) {
-        if (select_edge(s, &edges->items[i], NULL)) {
-            count += segments ? (size_t)select_edge(s, &edges->items[i], segments + count) : 1;
-        }
+        count += (size_t)select_edge(s, &edges->items[i], to ? to + count : NULL);
     }
-    return count;
-}
-
-static void count_block(void *context, size_t block, int thread) {
-    const selection *s = context;
-    (void)thread;
-    s->art->block_counts[block] = select_block(s, block, NULL);
-}
-
-/* block_counts[block]: where the block's segments start. */
-static void fill_block(void *context, size_t block, int thread) {
-    const selection *s = context;
-    (void)thread;
-    select_block(s, block, s->art->segments + s->art->block_counts[block]);
+    if (!to) {
+        s->art->block_counts[block] = count;
+    }
 }
 
 /* The segments of a frame, in the order of edges. */
@@ -212,7 +202,7 @@ static burnish_status select_segments(selection *s, burnish_tasks *tasks, burnis
         return memory->status;
     }
     burnish_tasks_ranges(tasks, triangles, EDGE_BLOCK, find_facing, s);
-    burnish_tasks_run(tasks, blocks, 1, 0, count_block, s);
+    burnish_tasks_run(tasks, blocks, 1, 0, select_block, s);
     burnish_status status = burnish_tasks_check(tasks, memory->error);
     if (status != BURNISH_STATUS_OK) {
         return status;
@@ -228,9 +218,8 @@ static burnish_status select_segments(selection *s, burnish_tasks *tasks, burnis
         return memory->status;
     }
     art->segment_count = sum;
-    if (sum > 0) {
-        burnish_tasks_run(tasks, blocks, 1, 0, fill_block, s);
-    }
+    s->fills = 1;
+    burnish_tasks_run(tasks, sum > 0 ? blocks : 0, 1, 0, select_block, s);
     return burnish_tasks_check(tasks, memory->error);
 }
 
@@ -285,11 +274,6 @@ static burnish_status link_segments(burnish_line_art *art, const burnish_mesh_vi
 
 /* ---- Chains ---- */
 
-static double segment_length(const burnish_line_segment *s) {
-    const double dx = (double)s->x[1] - (double)s->x[0], dy = (double)s->y[1] - (double)s->y[0];
-    return burnish_sqrt(dx * dx + dy * dy);
-}
-
 /* A walk from segment to segment; each is walked once in a pass. */
 typedef struct walk {
     burnish_line_art *art;
@@ -309,17 +293,13 @@ static void end_chain(walk *w) {
     w->length = 0;
 }
 
-static int is_done(const walk *w, uint32_t end) {
-    const uint8_t done = w->art->segments[end / 2].is_done;
-    return done == BURNISH_LINE_OUTSIDE || done == w->pass;
-}
-
 /* Walks from a segment's end, away from it, as far as links lead. */
 static void walk_from(walk *w, uint32_t end) {
     burnish_line_art *art = w->art;
-    while (end != NO_LINK && !is_done(w, end)) {
+    while (end != NO_LINK && art->segments[end / 2].is_done != BURNISH_LINE_OUTSIDE &&
+           art->segments[end / 2].is_done != w->pass) {
         burnish_line_segment *segment = &art->segments[end / 2];
-        const double length = segment_length(segment);
+        const double length = burnish_line_length(segment);
         if (w->length + length > CHAIN_MAX) {
             end_chain(w);
         }
@@ -367,7 +347,7 @@ static double mean_length(const burnish_line_art *art) {
     size_t count = 0;
     for (size_t i = 0; i < art->segment_count; ++i) {
         if (!art->segments[i].is_done) {
-            sum += segment_length(&art->segments[i]);
+            sum += burnish_line_length(&art->segments[i]);
             ++count;
         }
     }
@@ -493,7 +473,7 @@ burnish_status burnish_line_art_update(burnish_line_art *art, const burnish_mesh
                                        const burnish_render_options *options,
                                        const burnish_target *target, burnish_tasks *tasks,
                                        burnish_memory *memory) {
-    selection s = {art, mesh, options, burnish_line_project_view(view, options)};
+    selection s = {art, mesh, options, burnish_line_project_view(view, options), 0};
     memset(&art->lines, 0, sizeof art->lines);
     burnish_status status =
         update_edges(art, mesh, (options->edges & BURNISH_EDGES_TANGENTS) != 0, tasks, memory);

@@ -373,17 +373,11 @@ typedef struct chain_part {
     int is_rim;
 } chain_part;
 
-static double length_of(const burnish_line_art *art, uint32_t end) {
-    const burnish_line_segment *s = &art->segments[end / 2];
-    const double dx = (double)s->x[1] - (double)s->x[0], dy = (double)s->y[1] - (double)s->y[0];
-    return burnish_sqrt(dx * dx + dy * dy);
-}
-
 /* Moves on to the segment that holds the chain's length `to`; returns where in it. */
 static double advance_to(const burnish_line_art *art, cursor *c, double to) {
     while (c->at + 1 < c->count && c->before + c->length <= to) {
         c->before += c->length;
-        c->length = length_of(art, c->chain[++c->at]);
+        c->length = burnish_line_length(&art->segments[c->chain[++c->at] / 2]);
     }
     const double t = c->length > 0 ? (to - c->before) / c->length : 0;
     return t > 0 ? t < 1 ? t : 1 : 0;
@@ -434,7 +428,7 @@ static void add_dashes(burnish_line_art *art, cursor *c, const chain_part *part,
 static double chain_length(const burnish_line_art *art, const uint32_t *chain, size_t count) {
     double length = 0;
     for (size_t i = 0; i < count; ++i) {
-        length += length_of(art, chain[i]);
+        length += burnish_line_length(&art->segments[chain[i] / 2]);
     }
     return length;
 }
@@ -450,16 +444,15 @@ static void look_along(const burnish_line_art *art, burnish_line_scene *scene, c
     }
     trim_blocked(states, samples);
     close_runs(states, samples, HIDDEN, GAP_MAX);
-    close_runs(states, samples, INNER, SWITCH_MAX);
-    close_runs(states, samples, OUTLINE, SWITCH_MAX);
-    close_runs(states, samples, RIM, SWITCH_MAX);
-    close_runs(states, samples, COVERED, SWITCH_MAX);
+    for (uint8_t state = INNER; state <= COVERED; ++state) {
+        close_runs(states, samples, state, SWITCH_MAX);
+    }
 }
 
 void burnish_line_art_trace(burnish_line_art *art, burnish_line_scene *scene, const uint32_t *chain,
                             size_t count, burnish_memory *memory) {
     uint8_t states[SAMPLES_MAX];
-    cursor c = {chain, count, 0, 0, length_of(art, chain[0])};
+    cursor c = {chain, count, 0, 0, burnish_line_length(&art->segments[chain[0] / 2])};
     const double length = chain_length(art, chain, count);
     const size_t samples = length < SAMPLES_MAX - 2 ? (size_t)length + 1 : SAMPLES_MAX;
     const double step = length / (double)samples;

@@ -5,6 +5,11 @@
 #include "core/vec3.h"
 #include "render/lines/lines.h"
 
+static inline double burnish_line_length(const burnish_line_segment *s) {
+    const double dx = (double)s->x[1] - (double)s->x[0], dy = (double)s->y[1] - (double)s->y[0];
+    return burnish_sqrt(dx * dx + dy * dy);
+}
+
 /* ---- lines_projection.c: from the mesh's space to the screen, in double precision ---- */
 
 typedef struct burnish_line_projection {
