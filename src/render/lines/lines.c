@@ -179,6 +179,7 @@ static void select_block(void *context, size_t block, int thread) {
     const size_t end = edges->count - first < EDGE_BLOCK ? edges->count : first + EDGE_BLOCK;
     burnish_line_segment *to = s->fills ? s->art->segments + s->art->block_counts[block] : NULL;
     size_t count = 0;
+    (void)thread;
     for (size_t i = first; i < end; ++i) {
         count += (size_t)select_edge(s, &edges->items[i], to ? to + count : NULL);
     }
