@@ -262,7 +262,7 @@ BURNISH_THEORY_API void burnish_theory_sample_direction(const burnish_theory_mod
                                                         burnish_theory_measure measure,
                                                         const double xi[2], double direction[3]);
 
-/* ---- Harmonics, and an anisotropic lobe ---- */
+/* ---- Harmonics ---- */
 
 /* 2 pi times the integral over c in [-1, 1] of max(0, 1 + zeta (c - 1))^order P_degree(c), P being
  * Legendre's polynomial. A function convolved with the lobe has its spherical harmonics of that
@@ -276,19 +276,6 @@ BURNISH_THEORY_API double burnish_theory_zonal(int order, double zeta, int degre
 /* The same for a model with burnish_theory_polynomial(). NaN for others.
  *   degree  [0, 127 - the polynomial's] */
 BURNISH_THEORY_API double burnish_theory_model_zonal(const burnish_theory_model *model, int degree);
-
-/* max(0, 1 - (zeta_x h_x^2 + zeta_y h_y^2) / (1 + h_z))^order: highlights of brushed metal. Equal
- * slopes give the family. The integral over solid angle is 2 pi/((order + 1) sqrt(zeta_x zeta_y)).
- *   order  >= 1
- *   zeta   both at least 1, for a lobe that ends above the horizon
- *   h      unit vector with h_z > -1, in the frame of the brushing
- * Returns NaN for an order or slope out of range. */
-BURNISH_THEORY_API double burnish_theory_anisotropic(int order, const double zeta[2],
-                                                     const double h[3]);
-
-/* A unit vector with the density value / integral, from two uniform numbers in [0, 1). */
-BURNISH_THEORY_API void burnish_theory_anisotropic_sample(int order, const double zeta[2],
-                                                          const double xi[2], double direction[3]);
 
 /* ---- Area lights ----
  *

@@ -1,5 +1,5 @@
-/* burnish/theory.h: harmonics, the anisotropic lobe, and sums of lobes for rough surfaces,
- * against formulas, quadrature and Monte Carlo. */
+/* burnish/theory.h: harmonics, and sums of lobes for rough surfaces, against formulas and
+ * quadrature. */
 #include <math.h>
 
 #include "burnish/theory.h"
@@ -8,7 +8,6 @@
 static const double PI = 3.14159265358979323846;
 static const int orders[] = {1, 2, 4, 8, 16, 32};
 enum { ORDERS = sizeof orders / sizeof *orders };
-static uint64_t random_state;
 
 /* The sum over k <= l of (-1)^k C(l, k) C(l + k, k) 2^-k B(k + 1, m + 1) / zeta^(k + 1). */
 static double zonal_by_sum(int order, double zeta, int degree) {
@@ -42,64 +41,6 @@ static void check_zonal(void) {
     CHECK1(isnan(burnish_theory_zonal(2, 0, 1)) && isnan(burnish_theory_zonal(0, 1, 1)));
     CHECK1(isnan(burnish_theory_zonal(2, 1, -1)) && isnan(burnish_theory_zonal(64, 1, 64)));
     CHECK1(!isnan(burnish_theory_zonal(32, 1, 95)));
-}
-
-/* The mean of values in a grid over cosine and azimuth of the hemisphere, times 2 pi. */
-static void check_anisotropic_integral(void) {
-    static const double slopes[][2] = {{1, 1}, {1.5, 4}, {30, 2}, {9, 9}};
-    enum { STEPS = 2000 };
-    for (int i = 0; i < 4 * ORDERS; ++i) {
-        const double *zeta = slopes[i / ORDERS];
-        int order = orders[i % ORDERS];
-        double sum = 0, expected = 2 * PI / ((order + 1) * sqrt(zeta[0] * zeta[1]));
-        for (int j = 0; j < STEPS; ++j) { /* the root of 1 - c, and half the azimuths */
-            double root = (j + 0.5) / STEPS, c = 1 - root * root, s = root * sqrt(1 + c);
-            for (int k = 0; k < 64; ++k) {
-                double phi = PI * (k + 0.5) / 64, h[3] = {s * cos(phi), s * sin(phi), c};
-                sum += 2 * root * burnish_theory_anisotropic(order, zeta, h);
-            }
-        }
-        double value = 2 * PI * sum / STEPS / 64;
-        CHECK(fabs(value / expected - 1) < 2e-4 * (order == 1 ? 5 : 1), "order %d: %g, not %g",
-              order, value, expected);
-    }
-}
-
-/* Samples: unit vectors whose u has the density of u^m, and moments of both axes. */
-static void check_anisotropic_samples(void) {
-    enum { SAMPLES = 40000 };
-    random_state = test_seed(1);
-    for (int i = 0; i < ORDERS; ++i) {
-        int order = orders[i];
-        double zeta[2] = {3 + i, 40.0}, sums[3] = {0}, squares[3] = {0}, expected[3];
-        for (int k = 0; k < SAMPLES; ++k) {
-            double h[3],
-                xi[2] = {test_uniform(&random_state, 0, 1), test_uniform(&random_state, 0, 1)};
-            burnish_theory_anisotropic_sample(order, zeta, xi, h);
-            double length = h[0] * h[0] + h[1] * h[1] + h[2] * h[2];
-            CHECK(fabs(length - 1) < 1e-14 && h[2] >= 0, "length %g", length);
-            double u = pow(burnish_theory_anisotropic(order, zeta, h), 1.0 / order);
-            CHECK(fabs(u - pow(xi[0], 1.0 / (order + 1))) < 1e-9, "u %g", u);
-            double values[3] = {u, h[0] * h[0] / (1 + h[2]), h[1] * h[1] / (1 + h[2])};
-            for (int j = 0; j < 3; ++j) {
-                sums[j] += values[j] / SAMPLES;
-                squares[j] += values[j] * values[j] / SAMPLES;
-            }
-        }
-        expected[0] = (order + 1.0) / (order + 2);
-        expected[1] = 0.5 / (zeta[0] * (order + 2));
-        expected[2] = 0.5 / (zeta[1] * (order + 2));
-        for (int j = 0; j < 3; ++j) {
-            double deviation = sqrt((squares[j] - sums[j] * sums[j]) / SAMPLES);
-            CHECK(fabs(sums[j] - expected[j]) < 5 * deviation, "order %d, moment %d: %g, not %g",
-                  order, j, sums[j], expected[j]);
-        }
-    }
-    double flat[2] = {9, 9}, none[2] = {0, 1}, h[3] = {0.28, 0, 0.96}, pole[3] = {0, 0, 1};
-    CHECK1(fabs(burnish_theory_anisotropic(8, flat, h) - burnish_theory_family(9, 8, 0.96)) <
-           1e-15);
-    CHECK1(burnish_theory_anisotropic(2, flat, pole) == 1);
-    CHECK1(isnan(burnish_theory_anisotropic(2, none, h)));
 }
 
 /* ---- Sums of lobes ---- */
@@ -173,8 +114,6 @@ static void check_sums(void) {
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(check_zonal());
-    RUN(check_anisotropic_integral());
-    RUN(check_anisotropic_samples());
     RUN(check_rough_lobes());
     RUN(check_sums());
     return test_end("theory_surfaces");
