@@ -151,6 +151,26 @@ static void test_area(void) {
     }
 }
 
+/* A beam over a floor hides the same share of a light along its length. */
+static void test_beam(void) {
+    static const float positions[] = {-2,     0, -2, -2,     0, 2, 2,     0, 2, 2,     0, -2,
+                                      -0.03f, 1, -2, -0.03f, 1, 2, 0.03f, 1, 2, 0.03f, 1, -2};
+    burnish_mesh *mesh = create_quads(positions, NULL, 2);
+    const burnish_area_light light = window(1);
+    float *shaded = draw_light(mesh, &light, 1);
+    double worst = 0;
+    for (int i = SIZE * 7 / 16; i < SIZE * 9 / 16; ++i) {
+        for (int x = SIZE * 9 / 16; x < SIZE; ++x) { /* two pixels on, other rays are cast */
+            const float *at = shaded + 4 * (i * SIZE + x);
+            worst = fmax(worst, fabs((double)(at[8 * SIZE] / at[0]) - 1));
+        }
+    }
+    printf("shadow: along a beam it differs by up to %.4f\n", worst);
+    CHECK(worst < 0.02, "%g", worst);
+    free(shaded);
+    burnish_mesh_destroy(mesh);
+}
+
 /* Convex shapes hide no light from themselves: no acne. */
 static void test_convex(void) {
     static const double lights[][3] = {{0.3, 1, 0.2}, {-1, 0.5, 0.3}, {1, 0.1, 0}};
@@ -261,6 +281,7 @@ int main(int count, char **arguments) {
     raytracing = 1;
     RUN(test_edge());
     RUN(test_area());
+    RUN(test_beam());
     RUN(test_convex());
     return test_end("shadow");
 }

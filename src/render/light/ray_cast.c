@@ -11,18 +11,16 @@
 #define LEAST_STEP 0.15f
 #define LEAST_FINER_STEP 0.25f
 
-/* Alpha of surfaces whose mirrored rays all go the same way. */
-#define LEAST_GLOSS 0x1p-10f
+#define LEAST_GLOSS 0x1p-10f /* alpha of surfaces whose mirrored rays all go the same way */
 
 /* Patterns of rays where one is not enough, and where these are not. */
-enum { MORE_PATTERNS = 4, ALL_PATTERNS = BURNISH_RAY_PATTERNS };
+enum { MORE_PATTERNS = 4, ALL_PATTERNS = BURNISH_RAY_PATTERNS, ROW = BURNISH_RAY_EDGE / 4 };
 
 /* Where more of the sky is hidden from a block of pixels, light that comes over other surfaces is most of
  * what there is, and one set of directions would show as blotches. */
 #define CLOSED 0.7f
 
-/* Longer than the way from the camera through the mesh. */
-#define FAR 1e6f
+#define FAR 1e6f /* longer than the way from the camera through the mesh */
 
 /* Of the mean light, what surfaces get that cast no rays, and reflect as those to which they send it;
  * metals see no lamps there. */
@@ -423,20 +421,7 @@ static int is_mixed(const burnish_ray_tile *tile, int at, int sums) {
     return (share > 0 && (share < 1 || is_cut)) || is_apart(tile, at, sums, LEAST_STEP);
 }
 
-/* Whether little of the sky is seen from a pixel's block. */
-static int is_closed(const burnish_ray_tile *tile, int at) {
-    const int x = at % BURNISH_RAY_EDGE, y = at / BURNISH_RAY_EDGE;
-    float most = 0, hidden = 0;
-    for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
-        const int beside = (y / 4 * 4 + i / 4) * BURNISH_RAY_EDGE + x / 4 * 4 + i % 4;
-        most += tile->rank[beside] > 0 ? CLOSED * tile->sums[BURNISH_RAY_SKY][beside] : 0;
-        hidden += tile->rank[beside] > 0 ? tile->sums[BURNISH_RAY_SKY + 1][beside] : 0;
-    }
-    return hidden > most;
-}
-
-/* Every other bit of i. */
-static int even_bits(int i) {
+static int even_bits(int i) { /* every other one */
     return (i & 1) | (i >> 1 & 2) | (i >> 2 & 4) | (i >> 3 & 8);
 }
 
@@ -511,8 +496,8 @@ static void cast_mirrored(burnish_ray_tile *tile, const burnish_ray_light *light
     }
 }
 
-/* Casts rays of the pixels to a lamp, which share those of more patterns, or for -1 to the sky, each
- * others. */
+/* Casts rays of the pixels to a lamp, or for -1 to the sky. Of several patterns, pixels share those to a
+ * lamp; those to the sky are each pixel's own. */
 static void cast_to_lamp(burnish_ray_tile *tile, const burnish_ray_light *light,
                          const burnish_render_ops *ops, int lamp, int pattern, int patterns) {
     const burnish_gathered_points *points = &tile->points;
@@ -560,6 +545,29 @@ static void cast_more(burnish_ray_tile *tile, const burnish_ray_light *light,
     }
 }
 
+/* Marks pixels that need more rays; those of a block to a lamp or to the sky together: a pixel whose own
+ * rays happen to agree, among others that get more, would be too light or too dark. */
+static void mark_block(burnish_ray_tile *tile, const burnish_ray_light *light, int first) {
+    float all = 0, hidden = 0;
+    int marks = 0;
+    for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
+        const int at = first + i / 4 * BURNISH_RAY_EDGE + i % 4;
+        const int is_point = tile->rank[at] > 0;
+        for (int lamp = 0; lamp < light->lamp_count && is_point; ++lamp) {
+            marks |= is_mixed(tile, at, burnish_ray_sums(lamp)) << lamp;
+        }
+        if (light->has_sky && is_point && tile->gloss[at] > LEAST_GLOSS) {
+            tile->mixed[at] = (uint16_t)(is_mixed(tile, at, BURNISH_RAY_GLOSSY) << MIXED_GLOSSY);
+        }
+        all += is_point ? tile->sums[BURNISH_RAY_SKY][at] : 0;
+        hidden += is_point ? tile->sums[BURNISH_RAY_SKY + 1][at] : 0;
+    }
+    marks |= (light->has_sky && hidden > CLOSED * all) << IN_CLOSED;
+    for (int i = 0; i < BURNISH_BLOCK_PIXELS; ++i) {
+        tile->mixed[first + i / 4 * BURNISH_RAY_EDGE + i % 4] |= (uint16_t)marks;
+    }
+}
+
 void burnish_ray_tile_cast(burnish_ray_tile *tile, const burnish_ray_light *light,
                            const burnish_render_ops *ops) {
     if (!light->has_sky) {
@@ -571,16 +579,8 @@ void burnish_ray_tile_cast(burnish_ray_tile *tile, const burnish_ray_light *ligh
     for (int i = 0; i < BURNISH_BLOCK_PIXELS * BATCHES; ++i) {
         cast_pixels(tile, light, ops, i / BATCHES, i % BATCHES);
     }
-    for (int at = 0; at < BURNISH_RAY_PIXELS; ++at) {
-        for (int lamp = 0; lamp < light->lamp_count && tile->rank[at] > 0; ++lamp) {
-            tile->mixed[at] |= (uint16_t)(is_mixed(tile, at, burnish_ray_sums(lamp)) << lamp);
-        }
-        if (light->has_sky && tile->rank[at] > 0) {
-            const int is_mirrored =
-                tile->gloss[at] > LEAST_GLOSS && is_mixed(tile, at, BURNISH_RAY_GLOSSY);
-            tile->mixed[at] |= (uint16_t)(is_mirrored << MIXED_GLOSSY);
-            tile->mixed[at] |= (uint16_t)(is_closed(tile, at) << IN_CLOSED);
-        }
+    for (int block = 0; block < BURNISH_RAY_PIXELS / BURNISH_BLOCK_PIXELS; ++block) {
+        mark_block(tile, light, block % ROW * 4 + block / ROW * 4 * BURNISH_RAY_EDGE);
     }
     for (int i = 0; i < BURNISH_BLOCK_PIXELS * BATCHES; ++i) {
         gather_pixels(tile, light, i / BATCHES, i % BATCHES, MIXED_GLOSSY, tile->mixed);

@@ -81,7 +81,7 @@ typedef struct burnish_ray_points {
     /* alpha, below 0 of matt ones, and vectors against the rays that came; NULL: all are matt */
     const float *gloss, *back[3];
     size_t count; /* at most BURNISH_OCCLUDED_MAX, readable up to the next multiple of 16 */
-    int lamps;    /* so many are in the light that glossy ones mirror */
+    int lamps;    /* number of lamps that glossy points mirror */
 } burnish_ray_points;
 
 /* Rays of points, from off their triangles, and what they met. */
@@ -124,6 +124,8 @@ enum {
     BURNISH_RAY_SUMS = BURNISH_RAY_LAMPS + 2 * BURNISH_RAY_LAMPS_MAX
 };
 
+_Static_assert((int)BURNISH_RAY_LAMPS_MAX + 2 <= 16, "bits of burnish_ray_tile.mixed");
+
 /* The pixels of a tile and a margin, row after row. */
 typedef struct burnish_ray_tile {
     float position[3][BURNISH_RAY_PIXELS], normal[3][BURNISH_RAY_PIXELS];
@@ -133,7 +135,8 @@ typedef struct burnish_ray_tile {
     uint8_t is_metal[BURNISH_RAY_PIXELS];
     uint16_t rank[BURNISH_RAY_PIXELS]; /* of the point that stands for the pixel; 0: none */
     uint16_t cut[BURNISH_RAY_PIXELS];  /* bit i: some rays to lamp i are not in its light */
-    /* bit i: rays to lamp i did not agree, or, for BURNISH_RAY_LAMPS_MAX, mirrored ones; there are more */
+    /* Bits of rays of which there are more: to lamp i, as some of the block did not agree; then mirrored
+     * ones that did not agree; then those to the sky, of which most is hidden. */
     uint16_t mixed[BURNISH_RAY_PIXELS];
     /* bit i: nor did these to lamp i with its neighbours', so that there are those of all patterns */
     uint16_t rough[BURNISH_RAY_PIXELS];
