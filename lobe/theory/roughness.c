@@ -32,16 +32,3 @@ double burnish_theory_toksvig_exponent(double exponent, double length) {
     l = l < 1 ? l : 1;
     return l > 0 ? exponent * l / (l + exponent * (1 - l)) : 0;
 }
-
-double burnish_theory_mean_normal(const double (*normals)[3], size_t count, double mean[3]) {
-    mean[0] = mean[1] = mean[2] = 0;
-    for (size_t i = 0; i < count; ++i) {
-        for (int k = 0; k < 3; ++k) {
-            mean[k] += normals[i][k];
-        }
-    }
-    for (int k = 0; k < 3 && count > 0; ++k) {
-        mean[k] /= (double)count;
-    }
-    return sqrt(mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2]);
-}

@@ -460,13 +460,6 @@ BURNISH_THEORY_API double burnish_theory_blinn_from_phong(double exponent);
  * Source: Toksvig 2005. */
 BURNISH_THEORY_API double burnish_theory_toksvig_exponent(double exponent, double length);
 
-/* The mean of unit normals, as in filtering a normal map.
- *   normals  count times three components; not NULL unless count is 0
- *   mean     receives the mean, not normalised; not NULL
- * Returns the mean's length, for burnish_theory_toksvig_exponent; 0 for count 0. */
-BURNISH_THEORY_API double burnish_theory_mean_normal(const double (*normals)[3], size_t count,
-                                                     double mean[3]);
-
 /* ---- Cost and choice ---- */
 
 /* Operations of one evaluation from a cosine (kuijk-blake: the angle, by one arc cosine), with

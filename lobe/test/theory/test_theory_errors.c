@@ -217,10 +217,6 @@ static void check_roughness(void) {
     burnish_theory_model schlick = model_of("schlick", 100);
     CHECK1(fabs(burnish_theory_toksvig_exponent(100, 0.9) -
                 100 * burnish_theory_value(&schlick, 0.9)) < 1e-11);
-    double normals[2][3] = {{0.6, 0, 0.8}, {-0.6, 0, 0.8}}, mean[3];
-    CHECK1(fabs(burnish_theory_mean_normal((const double(*)[3])normals, 2, mean) - 0.8) < 1e-15);
-    CHECK1(mean[0] == 0 && mean[2] == 0.8);
-    CHECK1(burnish_theory_mean_normal(NULL, 0, mean) == 0 && mean[2] == 0);
 }
 
 static double metric(const char *name, const burnish_theory_model *model, double argument) {
