@@ -73,7 +73,9 @@ def lamp(scene, box):
 def matt():
     for material in bpy.data.materials:
         for node in list(material.node_tree.nodes) if material.use_nodes else ():
-            if node.type == "BSDF_PRINCIPLED" and node.inputs["Roughness"].default_value > 0.85 and node.inputs["Metallic"].default_value == 0:
+            if node.type != "BSDF_PRINCIPLED" or any(node.inputs[name].is_linked for name in ("Base Color", "Roughness", "Metallic")):
+                continue
+            if node.inputs["Roughness"].default_value > 0.85 and node.inputs["Metallic"].default_value == 0:
                 diffuse = material.node_tree.nodes.new("ShaderNodeBsdfDiffuse")
                 diffuse.inputs["Color"].default_value = node.inputs["Base Color"].default_value
                 material.node_tree.links.new(diffuse.outputs[0], material.node_tree.nodes["Material Output"].inputs["Surface"])
@@ -155,5 +157,5 @@ def draw(picture):
 for one in jobs["pictures"]:
     try:
         draw(one)
-    except RuntimeError as error:
+    except Exception as error: # the others are drawn
         print(f"cycles.py: {one['file']}: {str(error).splitlines()[-1]}", file=sys.stderr)

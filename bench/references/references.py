@@ -106,8 +106,8 @@ def shares(burnish, picture, scratch, lamp):
         for way, more in (("all", ("--occlusion=none",)), *WAYS.items()):
             run(burnish, picture["file"], scratch / "share.png", *matt, *flags, *more)
             drawn[light, way] = np.load(plane["color"])[..., 0].astype(float)
-    full = drawn["softbox", "all"]
-    y, x = np.nonzero((np.load(plane["coverage"]) == 255) & (full > 0.05 * full[np.load(plane["coverage"]) == 255].max()))
+    full = drawn["softbox", "all"] * (np.load(plane["coverage"]) == 255)
+    y, x = np.nonzero(full > 0.05 * full.max())
     kept = np.random.default_rng(1).permutation(len(x))[:POINTS]
     y, x = y[kept], x[kept]
     camera = {name: np.array(value) for name, value in picture["camera"].items()}
@@ -148,6 +148,8 @@ def ways(burnish, picture, scratch):
         both[1].update(same=0, halves=both[0]["halves"])
         both[0].update(softbox=lamp, ambient=AMBIENT)
         shares(burnish, both[0], scratch, flag)
+    else:
+        both = [{key: one[key] for key in ("name", "file")} for one in both]
     return both
 
 
@@ -164,7 +166,7 @@ def compare_shares(pictures):
                 yield f"{picture['name'][:-5]} by {way}: " + " ".join(f"{x:.4f}" for x in rms)
     for way, own in errors.items():
         if own:
-            yield f"mean by {way}: " + " ".join(f"{x:.4f}" for x in np.mean(own, 0))
+            yield f"mean by {way}: " + " ".join(f"{x:.4f}" for x in np.nanmean(own, 0))
     if any(errors.values()):
         yield ("root mean square errors: softbox, in its penumbra, of its full light; in its penumbra, of what would arrive there; ambient light")
 
@@ -257,7 +259,7 @@ def main():
         jobs["pictures"] = [{key: picture[key] for key in ("file", "camera", "output", "mask", "halves", "softbox", "ambient", "points") if key in picture}
                             for picture in pictures if "drawn" in picture and "same" not in picture]
         (work / "jobs.json").write_text(json.dumps(jobs))
-        blender = ["blender", "--background", "--factory-startup", "--python", HERE / "cycles.py", "--"]
+        blender = ["blender", "--background", "--factory-startup", "--python-exit-code", "1", "--python", HERE / "cycles.py", "--"]
         other = ["node", HERE / "three.mjs", scratch / "node_modules"] if name == "three" else blender
         subprocess.run([*other, work / "jobs.json"], stdout=subprocess.DEVNULL, check=True)
     lines, compared = [], []
