@@ -73,11 +73,11 @@ def lamp(scene, box):
 def matt():
     for material in bpy.data.materials:
         for node in list(material.node_tree.nodes) if material.use_nodes else ():
-            if node.type != "BSDF_PRINCIPLED" or any(node.inputs[name].is_linked for name in ("Base Color", "Roughness", "Metallic")):
-                continue
-            if node.inputs["Roughness"].default_value > 0.85 and node.inputs["Metallic"].default_value == 0:
+            color, metallic, roughness = map(node.inputs.get, ("Base Color", "Metallic", "Roughness"))
+            if node.type == "BSDF_PRINCIPLED" and not (color.is_linked or metallic.is_linked or roughness.is_linked) and (
+                    roughness.default_value > 0.85 and metallic.default_value == 0):
                 diffuse = material.node_tree.nodes.new("ShaderNodeBsdfDiffuse")
-                diffuse.inputs["Color"].default_value = node.inputs["Base Color"].default_value
+                diffuse.inputs["Color"].default_value = color.default_value
                 material.node_tree.links.new(diffuse.outputs[0], material.node_tree.nodes["Material Output"].inputs["Surface"])
 
 

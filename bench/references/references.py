@@ -8,8 +8,8 @@ Usage: references.py three|cycles|monte-carlo|rays BURNISH SCRATCH [FOLDER]
 Both draw with the same camera and the same environment, the room at half its strength, without tone mapping, shadows and computed occlusion.
 Pixels that both cover completely are compared. Needs numpy and Pillow; SIZE and SAMPLES change the size and the noise.
 
-rays: a softbox and ambient light instead of the room, in burnish with --raytracing and, for comparison, with depth maps, in Cycles with
-five bounces. Then what arrives of the ambient light and of the softbox at 4,000 pixels, against rays of Blender's own tree."""
+rays: the files, or without them the spheres, under a softbox and ambient light instead of the room, by --raytracing and by depth maps,
+and in Cycles with five bounces. Then what arrives of the ambient light and of the softbox at 4,000 pixels, against rays of Blender's own tree."""
 import base64
 import json
 import os
@@ -144,12 +144,11 @@ def ways(burnish, picture, scratch):
     """burnish's pictures by rays and by maps, with the same reference."""
     lamp, flag = softbox(burnish, picture, scratch)
     both = [draw(burnish, {**picture, "name": f"{picture['name']}-{way}"}, scratch, (flag, f"--ambient={AMBIENT}", *flags)) for way, flags in WAYS.items()]
-    if all("drawn" in one for one in both):
-        both[1].update(same=0, halves=both[0]["halves"])
-        both[0].update(softbox=lamp, ambient=AMBIENT)
-        shares(burnish, both[0], scratch, flag)
-    else:
-        both = [{key: one[key] for key in ("name", "file")} for one in both]
+    if not all("drawn" in one for one in both):
+        return [{key: one[key] for key in ("name", "file")} for one in both]
+    both[1].update(is_shared=True, halves=both[0]["halves"])
+    both[0].update(softbox=lamp, ambient=AMBIENT)
+    shares(burnish, both[0], scratch, flag)
     return both
 
 
@@ -257,7 +256,7 @@ def main():
             estimate(picture, light)
     else:
         jobs["pictures"] = [{key: picture[key] for key in ("file", "camera", "output", "mask", "halves", "softbox", "ambient", "points") if key in picture}
-                            for picture in pictures if "drawn" in picture and "same" not in picture]
+                            for picture in pictures if "drawn" in picture and "is_shared" not in picture]
         (work / "jobs.json").write_text(json.dumps(jobs))
         blender = ["blender", "--background", "--factory-startup", "--python-exit-code", "1", "--python", HERE / "cycles.py", "--"]
         other = ["node", HERE / "three.mjs", scratch / "node_modules"] if name == "three" else blender

@@ -37,14 +37,14 @@ set(BURNISH_BUILT_NAMES ${names})
 
 # Compiles *_isa.c once per instruction set of this build; `objects` receives the object files.
 #
-# The pointer checks of `undefined` double the time that clang takes here. Only the scalar set of `make asan`, which has wide vectors, keeps them.
+# The pointer checks of `undefined` double the time that clang takes here. The scalar set keeps them.
 function(burnish_isa_objects objects)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/*_isa.c)
   set(files)
   foreach(isa ${BURNISH_BUILT_NAMES})
     string(TOUPPER ${isa} name)
     set(checked_flags)
-    if(CMAKE_C_FLAGS MATCHES "sanitize=.*undefined" AND NOT (isa STREQUAL scalar AND BURNISH_WIDE_VECTORS))
+    if(CMAKE_C_FLAGS MATCHES "sanitize=.*undefined" AND NOT isa STREQUAL scalar)
       set(checked_flags -fno-sanitize=null,alignment,object-size,pointer-overflow)
     endif()
     add_library(burnish_${isa} OBJECT ${sources})

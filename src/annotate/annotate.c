@@ -70,22 +70,32 @@ static burnish_status check_annotate(const burnish_mesh *mesh,
     return BURNISH_STATUS_OK;
 }
 
+/* The marks of a section, whose arrows each attempt lengthens, and the dimensions. */
+static void lay_out_lengths(const burnish_annotation_view *view, burnish_annotation_flags kinds,
+                            int attempt, burnish_annotation_list *list) {
+    list->line_count = list->label_count = list->left_out = 0;
+    if (kinds & BURNISH_ANNOTATION_SECTION) {
+        burnish_annotate_section(view, attempt, list);
+    }
+    if (kinds & BURNISH_ANNOTATION_DIMENSIONS) {
+        burnish_annotate_dimensions(view, list);
+    }
+}
+
 burnish_status burnish_annotation_lay_out(const burnish_annotation_view *view,
                                           burnish_annotation_flags kinds, int bounded,
                                           burnish_memory *memory, burnish_annotation_list *list) {
     const int attempts = kinds & BURNISH_ANNOTATION_SECTION ? SECTION_ATTEMPTS : 1;
     size_t least = SIZE_MAX;
+    int best = 0;
     *list = (burnish_annotation_list){.bounded = bounded, .memory = memory};
-    for (int i = 0, best = 0; i < attempts ? least > 0 : list->left_out > least; ++i) {
-        list->line_count = list->label_count = list->left_out = 0;
-        if (kinds & BURNISH_ANNOTATION_SECTION) {
-            burnish_annotate_section(view, i < attempts ? i : best, list);
-        }
-        if (kinds & BURNISH_ANNOTATION_DIMENSIONS) {
-            burnish_annotate_dimensions(view, list);
-        }
+    for (int i = 0; i < attempts && least > 0; ++i) {
+        lay_out_lengths(view, kinds, i, list);
         best = list->left_out < least ? i : best;
         least = list->left_out < least ? list->left_out : least;
+    }
+    if (list->left_out > least) {
+        lay_out_lengths(view, kinds, best, list);
     }
     if (view->callouts && view->callouts->count > 0) {
         burnish_annotate_parts_list(view, list);

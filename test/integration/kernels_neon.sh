@@ -7,11 +7,9 @@ compiler=aarch64-linux-gnu-gcc
 for tool in $compiler qemu-aarch64; do
     command -v "$tool" >/dev/null || { echo "skipped: no $tool; scripts/install-deps cross"; exit 77; }
 done
-source=$1
-scratch=$2
+source=$1 scratch=$2 src=$1/src
 flags="-std=c17 -O2 -ffp-contract=off -fno-math-errno -Wall -Wextra -Werror -D_GNU_SOURCE -pthread"
 includes="-I$source -I$source/include -I$source/base/include -I$source/lobe/include -I$source/src -I$source/base/test -I$source/test/support"
-src=$source/src
 mkdir -p "$scratch/objects"
 rm -f "$scratch"/objects/*
 # Everything once, the kernels once for each instruction set, then a link for each test.
@@ -28,7 +26,6 @@ rm -f "$scratch"/objects/*
     done
     ar rcs renderer.a ./*.o
 )
-
 # program NAME: test_NAME.c for that processor. GCC 12.2 ends with an internal error if it vectorises sums in test_kernel_values.c.
 program() {
     $compiler $flags -fno-tree-vectorize -static -Wl,--gc-sections $includes "$source"/test/*/test_"$1".c "$scratch/objects/renderer.a" -lm -o "$scratch/test_$1_neon"
