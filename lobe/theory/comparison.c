@@ -24,14 +24,3 @@ double burnish_theory_schlick(double cosine, double exponent) {
     double c = saturate(cosine);
     return saturate(c / (c + exponent * (1 - c)));
 }
-
-double burnish_theory_gaussian(double cosine, double exponent) {
-    double lambda = cosine > 1 ? 0 : 1 - cosine;
-    return saturate(exp(-(exponent + 0.775) * lambda));
-}
-
-double burnish_theory_gx(double cosine, double exponent) {
-    double c = saturate(cosine);
-    double squared = c * c;
-    return saturate(squared / (squared + 0.5 * exponent * ((1 - c) * (1 + c))));
-}

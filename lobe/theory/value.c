@@ -187,18 +187,3 @@ double burnish_theory_lyon_normalize_factor(double s) {
     double e = 1 - s;
     return 1 + e * (0.5 + 0.375 * e);
 }
-
-double burnish_theory_lyon_vectors(const double a[3], const double b[3], double exponent,
-                                   int order) {
-    double a_scale = burnish_theory_lyon_normalize_factor(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-    double b_scale = burnish_theory_lyon_normalize_factor(b[0] * b[0] + b[1] * b[1] + b[2] * b[2]);
-    double squared = 0;
-    if (burnish_lobe_check(order, exponent) != BURNISH_LOBE_OK) {
-        return 0;
-    }
-    for (int i = 0; i < 3; ++i) {
-        double d = a[i] * a_scale - b[i] * b_scale;
-        squared += d * d;
-    }
-    return base_power(1 - exponent / order * 0.5 * squared, order);
-}

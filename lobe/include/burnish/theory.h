@@ -39,9 +39,9 @@ extern "C" {
 #endif
 
 /* Values of the lobes in double precision, references for the float ones. c can be any double: > 1
- * counts as 1, NaN gives 0, and <= 0 gives 0 except for the family and the Gaussian. A NaN
+ * counts as 1, NaN gives 0, and <= 0 gives 0 except for the family. A NaN
  * parameter gives 0. Results are in [0, 1], with an absolute error below 1e-14 and a relative error
- * below 1e-12 for values of at least 1e-6. cos^n and the Gaussian use the C library. */
+ * below 1e-12 for values of at least 1e-6. cos^n uses the C library. */
 
 /* max(0, 1 - zeta (1 - c))^order; zeta >= 0; an order that does not exist gives 0. */
 BURNISH_THEORY_API double burnish_theory_family(double zeta, int order, double cosine);
@@ -51,12 +51,6 @@ BURNISH_THEORY_API double burnish_theory_power(double cosine, double exponent);
 
 /* c / (n - n c + c), exponent >= 1. Source: Schlick 1994. */
 BURNISH_THEORY_API double burnish_theory_schlick(double cosine, double exponent);
-
-/* exp(-(n + 0.775) (1 - c)), exponent >= 0: the spherical Gaussian. Source: Lagarde 2012. */
-BURNISH_THEORY_API double burnish_theory_gaussian(double cosine, double exponent);
-
-/* c^2 / (n/2 + (1 - n/2) c^2), exponent > 0: the GameCube's lobe. */
-BURNISH_THEORY_API double burnish_theory_gx(double cosine, double exponent);
 
 /* ---- Models ----
  *
@@ -164,11 +158,6 @@ BURNISH_THEORY_API double burnish_theory_curvature_radius(const burnish_theory_m
 
 /* Lyon's approximation of 1/sqrt(s) near 1: 1 + e/2 + 3 e^2/8, e = 1 - s. Source: Lyon 1993. */
 BURNISH_THEORY_API double burnish_theory_lyon_normalize_factor(double s);
-
-/* Lyon's lobe of two nearly unit vectors, scaled by burnish_theory_lyon_normalize_factor(). 0 for
- * an order or exponent without a lobe. */
-BURNISH_THEORY_API double burnish_theory_lyon_vectors(const double a[3], const double b[3],
-                                                      double exponent, int order);
 
 /* ---- Widths ---- */
 

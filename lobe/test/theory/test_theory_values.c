@@ -209,21 +209,6 @@ static void check_words(void) {
     CHECK1(!burnish_theory_model_parse("zeta6.645:2", 10, &model, NULL) && model.zeta == 6.645);
 }
 
-static void check_lyon(void) {
-    double a[3] = {0.6, 0, 0.8}, b[3] = {0, 0, 1}, long_a[3] = {0.63, 0, 0.84};
-    burnish_theory_model model;
-    CHECK1(!burnish_theory_model_parse("lyon:4", 10, &model, NULL));
-    CHECK1(fabs(burnish_theory_lyon_vectors(a, b, 10, 4) - burnish_theory_value(&model, 0.8)) <
-           1e-15);
-    /* a vector that is 5 % too long: normalised to three terms, error 5 e^3 / 16 */
-    CHECK1(fabs(burnish_theory_lyon_vectors(long_a, b, 10, 4) - burnish_theory_value(&model, 0.8)) <
-           1e-3);
-    CHECK1(burnish_theory_lyon_vectors(a, b, 3, 4) == 0);
-    for (double s = 0.9; s <= 1.1; s += 0.01) {
-        CHECK1(fabs(burnish_theory_lyon_normalize_factor(s) * sqrt(s) - 1) < 0.0004);
-    }
-}
-
 int main(int count, char **arguments) {
     test_begin(count, arguments, NULL);
     RUN(for_each_model(check_derivatives));
@@ -233,6 +218,5 @@ int main(int count, char **arguments) {
     RUN(check_radii());
     RUN(check_curvature());
     RUN(check_words());
-    RUN(check_lyon());
     return test_end("theory_values");
 }
