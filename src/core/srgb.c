@@ -35,11 +35,12 @@ _Static_assert((int)BURNISH_SRGB_BUCKETS == SRGB_BUCKETS && SRGB_BUCKET_SHIFT ==
                "the packed table is that of srgb_table.h");
 
 void burnish_srgb_encoder_make(burnish_srgb_encoder *encoder) {
+    memset(encoder, 0, sizeof *encoder);
     for (int i = 0; i < SRGB_BUCKETS; ++i) {
         const uint32_t end = SRGB_FIRST_BITS + (((uint32_t)i + 1) << SRGB_BUCKET_SHIFT);
         uint32_t level;
         memcpy(&level, &next_threshold[bucket_code[i]], sizeof level);
-        encoder->entries[i] =
+        encoder->entries[BURNISH_SRGB_AROUND + i] =
             (int32_t)(((bucket_code[i] + 1u) << SRGB_BUCKET_SHIFT) - (level < end ? level : end));
     }
 }

@@ -17,12 +17,12 @@ uint8_t burnish_linear_to_srgb(float linear);
 /* The same look-up for vectors: one table entry decides. With b, the bits of the float clamped to
  * [BURNISH_SRGB_FIRST_BITS, BURNISH_SRGB_LAST_BITS] as above, (entry + b) >> 16 is the code, where
  * the entry of bucket (b - FIRST_BITS) >> 16 is (its first code + 1 << 16) - the bits of the
- * decision level in it, or of its end. */
-enum { BURNISH_SRGB_BUCKETS = 1664 };
+ * decision level in it, or of its end. AROUND the buckets are entries that are read, but not used. */
+enum { BURNISH_SRGB_BUCKETS = 1664, BURNISH_SRGB_AROUND = 16 };
 #define BURNISH_SRGB_FIRST_BITS 0x39000000
 #define BURNISH_SRGB_LAST_BITS 0x3f7fffff
 typedef struct burnish_srgb_encoder {
-    int32_t entries[BURNISH_SRGB_BUCKETS];
+    int32_t entries[BURNISH_SRGB_AROUND + BURNISH_SRGB_BUCKETS + BURNISH_SRGB_AROUND];
 } burnish_srgb_encoder;
 
 /* Fills the table: a few microseconds. */

@@ -12,7 +12,9 @@
  *   vi_store_le_bytes    four bytes per lane, the lowest first
  *   vf_stream            past the caches, to an aligned address; vector_fence orders what follows
  *   vf_gather, vi_gather table[index] per lane
- *   vi_gather16          the same for a table of 16 numbers, index in [0, 15]
+ *   vi_gather_near       the same where most vectors have near indices; may read table up to
+ *                        LANES items around them
+ *   vi_gather16          table[index] for a table of 16 numbers, index in [0, 15]
  *   vi_gather_pair       table[index] in the low half, table[index + 1] in the high half
  *   vf_load_aos4         x[i] = number i of the four floats at from[lane]: an array of structures
  *   vf_store_aos4        the reverse, LANES structures one after another
@@ -52,6 +54,8 @@
 #include "base/arithmetic.h"
 #include "burnish/core.h"
 
+#define BURNISH_INLINE static inline __attribute__((always_inline))
+
 /* An operation in a row: its result, name, type of x, or of a and b, and value. */
 #define VECTOR_UNARY(result, name, of, ...)                                                        \
     static inline result name(of x) {                                                              \
@@ -80,6 +84,7 @@
 
 #if !defined(VECTOR_HAS_PERMUTE)
 /* The other instruction sets go through memory. */
+#define vi_gather_near vi_gather
 static inline vi vi_permute(vi x, vi index) {
     int32_t lanes[LANES];
     vi_store(lanes, x);
@@ -97,8 +102,6 @@ static inline int vi_compress(unsigned bits, int32_t *to, vi x) {
     return count;
 }
 #endif
-
-#define BURNISH_INLINE static inline __attribute__((always_inline))
 
 /* For every instruction set. */
 BURNISH_INLINE vi vi_magnitude(vi x) {

@@ -4,9 +4,10 @@
 
 #include <immintrin.h>
 #include <stdint.h>
+#include <string.h>
 
 #define VECTOR_WORD avx2
-#define VECTOR_HAS_PERMUTE /* vi_permute, vi_compress */
+#define VECTOR_HAS_PERMUTE /* vi_permute, vi_compress, vi_gather_near */
 enum { LANES = 8, VECTOR_ISA = BURNISH_ISA_AVX2 };
 typedef __m256 vf;
 typedef __m256i vi;
@@ -18,8 +19,10 @@ typedef __m256 vm;
 #include "simd/vector_x86.h"
 
 VECTOR_BINARY(vm, vf_greater, vf, _mm256_cmp_ps(a, b, _CMP_GT_OQ))
-static inline vi vi_gather(const int32_t *table, vi index) {
-    return _mm256_i32gather_epi32((const int *)table, index, 4);
+BURNISH_INLINE vi gather_all(const void *table, int size, vi index) {
+    const __m128i low = gather_four(table, size, _mm256_castsi256_si128(index));
+    const __m128i high = gather_four(table, size, _mm256_extracti128_si256(index, 1));
+    return _mm256_inserti128_si256(_mm256_castsi128_si256(low), high, 1);
 }
 static inline vi vi_gather16(const int32_t *table, vi index) {
     const __m256i *halves = (const __m256i *)(const void *)table;
@@ -27,11 +30,13 @@ static inline vi vi_gather16(const int32_t *table, vi index) {
     const __m256i high = _mm256_permutevar8x32_epi32(_mm256_loadu_si256(halves + 1), index);
     return _mm256_blendv_epi8(low, high, _mm256_cmpgt_epi32(index, _mm256_set1_epi32(7)));
 }
-static inline vi vi_gather_pair(const uint16_t *table, vi index) {
-    return _mm256_i32gather_epi32((const int *)(const void *)table, index, 2);
-}
-static inline vf vf_gather(const float *table, vi index) {
-    return _mm256_i32gather_ps(table, index, 4);
+static inline vi vi_gather_near(const int32_t *table, vi index) {
+    const int32_t first = _mm256_cvtsi256_si32(index) - (int)LANES;
+    const vi at = _mm256_sub_epi32(index, _mm256_set1_epi32(first));
+    if (__builtin_expect(!_mm256_testz_si256(at, _mm256_set1_epi32(~(2 * (int)LANES - 1))), 0)) {
+        return vi_gather(table, index);
+    }
+    return vi_gather16(table + first, at);
 }
 static inline vi vi_permute(vi x, vi index) {
     return _mm256_permutevar8x32_epi32(x, index);

@@ -4,9 +4,10 @@
 
 #include <immintrin.h>
 #include <stdint.h>
+#include <string.h>
 
 #define VECTOR_WORD avx512
-#define VECTOR_HAS_PERMUTE /* vi_permute, vi_compress */
+#define VECTOR_HAS_PERMUTE /* vi_permute, vi_compress, vi_gather_near */
 #define VECTOR_HAS_MASKS   /* vm is not a vector */
 enum { LANES = 16, VECTOR_ISA = BURNISH_ISA_AVX512 };
 typedef __m512 vf;
@@ -27,17 +28,27 @@ VECTOR_BINARY(vm, vm_or, vm, (vm)(a | b))
 VECTOR_BINARY(vm, vm_and_not, vm, (vm)(a & ~b))
 VECTOR_UNARY(vm, vm_not, vm, (vm)~x)
 VECTOR_UNARY(int, vm_any, vm, x != 0)
-static inline vi vi_gather(const int32_t *table, vi index) {
-    return _mm512_i32gather_epi32(index, table, 4);
+BURNISH_INLINE vi gather_all(const void *table, int size, vi index) {
+    const __m128i four[4] = {gather_four(table, size, _mm512_castsi512_si128(index)),
+                             gather_four(table, size, _mm512_extracti32x4_epi32(index, 1)),
+                             gather_four(table, size, _mm512_extracti32x4_epi32(index, 2)),
+                             gather_four(table, size, _mm512_extracti32x4_epi32(index, 3))};
+    const __m256i low = _mm256_inserti128_si256(_mm256_castsi128_si256(four[0]), four[1], 1);
+    const __m256i high = _mm256_inserti128_si256(_mm256_castsi128_si256(four[2]), four[3], 1);
+    return _mm512_inserti64x4(_mm512_castsi256_si512(low), high, 1);
+}
+static inline vi vi_gather_near(const int32_t *table, vi index) {
+    const int32_t first = _mm512_cvtsi512_si32(index) - (int)LANES;
+    const int32_t *window = table + first;
+    const vi at = _mm512_sub_epi32(index, _mm512_set1_epi32(first));
+    if (__builtin_expect(_mm512_cmpge_epu32_mask(at, _mm512_set1_epi32(2 * (int)LANES)) != 0, 0)) {
+        return vi_gather(table, index);
+    }
+    return _mm512_permutex2var_epi32(_mm512_loadu_si512((const void *)window), at,
+                                     _mm512_loadu_si512((const void *)(window + LANES)));
 }
 static inline vi vi_gather16(const int32_t *table, vi index) {
     return _mm512_permutexvar_epi32(index, _mm512_loadu_si512((const void *)table));
-}
-static inline vi vi_gather_pair(const uint16_t *table, vi index) {
-    return _mm512_i32gather_epi32(index, (const void *)table, 2);
-}
-static inline vf vf_gather(const float *table, vi index) {
-    return _mm512_i32gather_ps(index, table, 4);
 }
 static inline vi vi_permute(vi x, vi index) {
     return _mm512_permutexvar_epi32(index, x);

@@ -53,6 +53,31 @@ static inline void pack_pixels(uint8_t *to, const uint32_t *from) {
     __m128i pixels = _mm_loadu_si128((const __m128i *)(const void *)from);
     _mm_storeu_si128((__m128i *)(void *)to, _mm_shuffle_epi8(pixels, order));
 }
+/* Four numbers of 4 bytes, `size` bytes times the index from a table on. Loads and insertions take a third
+ * of the time of gather instructions on AMD's processors of family 26, and Intel's cure of
+ * CVE-2022-40982 makes these slow, too. */
+BURNISH_INLINE __m128i gather_four(const void *table, int size, __m128i index) {
+    const int64_t low = ((__v2di)index)[0], high = ((__v2di)index)[1];
+    const int64_t at[4] = {(int32_t)low, low >> 32, (int32_t)high, high >> 32};
+    int32_t found[4];
+    for (int i = 0; i < 4; ++i) {
+        memcpy(&found[i], (const char *)table + at[i] * size, sizeof found[i]);
+    }
+    __m128i four = _mm_cvtsi32_si128(found[0]);
+    four = _mm_insert_epi32(four, found[1], 1);
+    four = _mm_insert_epi32(four, found[2], 2);
+    return _mm_insert_epi32(four, found[3], 3);
+}
+BURNISH_INLINE vi gather_all(const void *table, int size, vi index);
+BURNISH_INLINE vi vi_gather(const int32_t *table, vi index) {
+    return gather_all(table, 4, index);
+}
+BURNISH_INLINE vi vi_gather_pair(const uint16_t *table, vi index) {
+    return gather_all(table, 2, index);
+}
+BURNISH_INLINE vf vf_gather(const float *table, vi index) {
+    return vf_from_bits(gather_all(table, 4, index));
+}
 static inline void vector_fence(void) {
     _mm_sfence();
 }

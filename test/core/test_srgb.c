@@ -121,7 +121,9 @@ static void test_encoders(void) {
         for (uint64_t bits = 0; batch && bits <= UINT32_MAX;) {
             for (int i = 0; i < COUNT; ++i) {
                 for (int k = 0; k < 3; ++k, bits += 4099) {
-                    uint32_t pattern = (uint32_t)bits;
+                    /* a vector's values are up to 15 to 18 buckets apart */
+                    const uint32_t apart = (uint32_t)(i % 16 * (k - 1));
+                    const uint32_t pattern = (uint32_t)bits + (apart << 16);
                     memcpy(&values[k][i], &pattern, sizeof pattern);
                 }
                 if (i < 255) {

@@ -92,14 +92,14 @@ static void scatter_material(int32_t material, const int32_t *materials, int siz
 
 /* The code is in the third byte of a lane; the lower ones hold anything. */
 BURNISH_INLINE vi encode_vector(const burnish_srgb_encoder *encoder, vf linear) {
-    enum { BUCKET = BURNISH_SRGB_FIRST_BITS >> 16 };
+    enum { BUCKET = (BURNISH_SRGB_FIRST_BITS >> 16) - BURNISH_SRGB_AROUND };
     /* indices count from float 0 */
     const int32_t *entries =
         (const int32_t *)((uintptr_t)encoder->entries - BUCKET * sizeof *encoder->entries);
     /* the order of the first clamp's operands sends NaN to the lowest bucket */
     vf x = vf_max(linear, vf_from_bits(vi_set(BURNISH_SRGB_FIRST_BITS)));
     x = vf_min(x, vf_from_bits(vi_set(BURNISH_SRGB_LAST_BITS)));
-    return vi_add(vi_gather(entries, vi_shr(vf_bits(x), 16)), vf_bits(x));
+    return vi_add(vi_gather_near(entries, vi_shr(vf_bits(x), 16)), vf_bits(x));
 }
 
 /* What encode_vector gives for red, green and blue as pixels. */
