@@ -253,6 +253,8 @@ static void draw_primitives(burnish_tile *tile, const burnish_geometry *geometry
             draw_single_sampled(tile, &setup, 3, 1, &pixels, &queue);
         } else if (options->planes == 0 && !options->keep_ids) {
             draw_single_sampled(tile, &setup, 0, 0, &pixels, &queue);
+        } else if (options->planes == BURNISH_PLANE_COUNT && !options->keep_ids) {
+            draw_single_sampled(tile, &setup, BURNISH_PLANE_COUNT, 0, &pixels, &queue);
         } else {
             draw_single_sampled(tile, &setup, options->planes, options->keep_ids, &pixels, &queue);
         }
