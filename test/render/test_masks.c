@@ -188,9 +188,10 @@ static double column_area(int first, int wrap, int is_nearest, float from, int s
     use->is_nearest = is_nearest;
     use->has_transform = 1;
     memcpy(use->transform, (float[6]){1, 0, from, 0, 1, 0}, sizeof use->transform);
-    s.options.camera.orthographic_height = 2;
+    s.options.height = 8; /* rows are alike */
+    s.options.camera.orthographic_height = 2.0 * 8 / SIZE;
     draw(&s);
-    return drawn_area(&s) / SIZE; /* columns of pixels */
+    return drawn_area(&s) / 8; /* columns of pixels */
 }
 
 /* Edges at a quarter or three quarters of a pixel, which half of the samples or all of them show;
