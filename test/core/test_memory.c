@@ -47,7 +47,7 @@ void __wrap_free(void *memory) {
 
 /* ---- File to PNG ---- */
 
-enum { SIZE = 96 };
+enum { SIZE = 66 }; /* four tiles */
 
 typedef struct picture_job {
     const char *path; /* of the file, or a built-in object */
@@ -180,8 +180,8 @@ static burnish_mesh *make_box(int kind) {
 static burnish_render_options box_options(int kind, int samples, int threads,
                                           const burnish_environment *environment) {
     burnish_render_options options = burnish_render_options_default();
-    options.width = kind < LIGHTS ? 100 : 24;
-    options.height = kind < LIGHTS ? 75 : 24;
+    options.width = kind < LIGHTS ? 66 : 24;
+    options.height = kind < LIGHTS ? 66 : 24;
     options.samples = samples;
     options.threads = threads;
     options.camera = (burnish_camera){{0.9, 0.8, 0.7}, {0, 0, 0}, {0, 1, 0}, 90, 0};
