@@ -4,33 +4,23 @@
 #include "batch/batch.h"
 #include "batch/types.h"
 
-typedef struct sized {
-    uint64_t bytes;
-    uint32_t index;
-} sized;
+static const batch_item *items; /* of the list that is being sorted */
 
 static int compare_sizes(const void *a, const void *b) {
-    const sized *x = a, *y = b;
-    return x->bytes != y->bytes ? (x->bytes < y->bytes) - (x->bytes > y->bytes)
-                                : (x->index > y->index) - (x->index < y->index);
+    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    const uint64_t of_x = items[x].bytes, of_y = items[y].bytes;
+    return of_x != of_y ? (of_x < of_y) - (of_x > of_y) : (x > y) - (x < y);
 }
 
 uint32_t *batch_order_by_cost(const batch_items *list) {
-    sized *items = calloc(list->count, sizeof *items);
     uint32_t *order = calloc(list->count, sizeof *order);
-    for (size_t i = 0; items && i < list->count; ++i) {
-        items[i] = (sized){list->items[i].bytes, (uint32_t)i};
+    for (uint32_t i = 0; order && i < list->count; ++i) {
+        order[i] = i;
     }
-    if (items && order) {
-        qsort(items, list->count, sizeof *items, compare_sizes);
-        for (size_t i = 0; i < list->count; ++i) {
-            order[i] = items[i].index;
-        }
-    } else {
-        free(order);
-        order = NULL;
+    items = list->items;
+    if (order) {
+        qsort(order, list->count, sizeof *order, compare_sizes);
     }
-    free(items);
     return order;
 }
 

@@ -34,12 +34,8 @@ static burnish_status check_many(const render_settings *settings, burnish_error 
 static int is_unlocked(const cli_call *call) {
     int is = 0;
     for (size_t i = 0; i < call->argument_count; ++i) {
-        const cli_flag *flag = call->arguments[i].flag;
-        if (flag && strcmp(flag->name, "no-sandbox") == 0) {
-            is = 1;
-        } else if (flag && strcmp(flag->name, "sandbox") == 0) {
-            is = 0;
-        }
+        const char *name = call->arguments[i].flag ? call->arguments[i].flag->name : "";
+        is = strcmp(name, "no-sandbox") == 0 || (is && strcmp(name, "sandbox") != 0);
     }
     return is;
 }

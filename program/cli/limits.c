@@ -49,22 +49,6 @@ burnish_status cli_limit_memory(uint64_t bytes, burnish_error *error) {
                                  "--max-memory: not supported on this system; omit it");
 }
 
-void cli_limit_child(long process) {
-    (void)process;
-}
-
-void cli_limit_worker(double seconds) {
-    (void)seconds;
-}
-
-void cli_limit_child_seconds(double seconds) {
-    (void)seconds;
-}
-
-cli_lateness cli_child_was_late(void) {
-    return CLI_NOT_LATE;
-}
-
 #else
 
 #include <errno.h>
