@@ -6,6 +6,10 @@
 /* 1: this build has seccomp. */
 int sandbox_is_built(void);
 
+/* Builds the filter of system calls, once in this process and for those that it forks. sandbox_lock
+ * does it otherwise; its argument must be the same. Returns 0 or an errno. */
+int sandbox_prepare(int pretends);
+
 /* Sandboxes the calling thread, which must be the only one; later threads inherit it. In this order:
  *   descriptors    those from `descriptors` on are closed
  *   no_new_privs   and not dumpable: no rights from a program's file, no core file, no debugger

@@ -33,8 +33,6 @@ static struct {
 
 long __real_syscall(long number, ...);
 long __wrap_syscall(long number, ...);
-int __real_seccomp_load(void *filter);
-int __wrap_seccomp_load(void *filter);
 int __real_setrlimit64(int what, const struct rlimit *limit);
 int __wrap_setrlimit64(int what, const struct rlimit *limit);
 int __real_prctl(int what, ...);
@@ -68,18 +66,15 @@ long __wrap_syscall(long number, ...) {
     if (number == LANDLOCK_RESTRICT && faults.skips_restrict) {
         return 0;
     }
+    if (number == SYS_seccomp && (faults.seccomp || faults.skips_seccomp)) {
+        return faults.seccomp ? fail(faults.seccomp) : 0;
+    }
     if (number == SYS_close_range && faults.close_range) {
         return fail(faults.close_range);
     }
     return number == SYS_statx && faults.pretends_seccomp
                ? fail(EPERM)
                : __real_syscall(number, a[0], a[1], a[2], a[3], a[4]);
-}
-
-int __wrap_seccomp_load(void *filter) {
-    return faults.seccomp         ? -faults.seccomp
-           : faults.skips_seccomp ? 0
-                                  : __real_seccomp_load(filter);
 }
 
 int __wrap_setrlimit64(int what, const struct rlimit *limit) {
@@ -122,6 +117,7 @@ ATTEMPT(open_socket, socket(AF_INET, SOCK_STREAM, 0))
 ATTEMPT(start_program, execl("/bin/true", "true", (char *)NULL))
 ATTEMPT(start_process, fork())
 ATTEMPT(end_parent, kill(getppid(), 0))
+ATTEMPT(end_other, syscall(SYS_tgkill, getppid(), getppid(), 0))
 
 static void run_memory(void) {
     mmap(NULL, 4096, PROT_READ | PROT_WRITE | PROT_EXEC, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -253,10 +249,10 @@ typedef struct attempt {
 } attempt;
 
 static const attempt hostile[] = {
-    {"open", open_file},        {"create", write_file},    {"unlink", remove_file},
-    {"socket", open_socket},    {"execve", start_program}, {"fork", start_process},
-    {"mmap", run_memory},       {"mprotect", make_code},   {"kill", end_parent},
-    {"setrlimit", raise_limit}, {"thread", open_in_thread}};
+    {"open", open_file},        {"create", write_file},     {"unlink", remove_file},
+    {"socket", open_socket},    {"execve", start_program},  {"fork", start_process},
+    {"mmap", run_memory},       {"mprotect", make_code},    {"kill", end_parent},
+    {"setrlimit", raise_limit}, {"thread", open_in_thread}, {"tgkill", end_other}};
 
 static int ends_by(const attempt *a, int pretends, int number) {
     const int state = state_of(a->action, pretends);
@@ -283,6 +279,7 @@ static void test_harmless(void) {
     for (size_t i = 0; i < sizeof harmless / sizeof *harmless; ++i) {
         exits_with(&harmless[i], 0, 0);
     }
+    ends_by(&(attempt){"abort", abort}, 0, SIGABRT);
 }
 
 /* For libraries that look for files: no files exist, and other calls are forbidden as before. */
@@ -398,6 +395,7 @@ int main(int count, char **arguments) {
     RUN(test_hostile());
     RUN(test_harmless());
     RUN(test_pretending());
+    CHECK1(sandbox_prepare(0) == 0); /* from here on, processes inherit the filter */
     RUN(test_without_landlock(ENOSYS));
     RUN(test_without_landlock(EOPNOTSUPP));
     RUN(test_without_seccomp());
