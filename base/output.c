@@ -427,10 +427,9 @@ burnish_status burnish_file_write_stream(const char *path, burnish_file_source *
 burnish_status burnish_file_write_stream_checked(const char *path, burnish_file_source *source,
                                                  void *user_data, burnish_file_check *check,
                                                  burnish_error *error) {
-    burnish_memory memory = burnish_memory_of(NULL, error);
-    char *buffer = burnish_allocate(&memory, PIECE, 1, "output buffer");
+    char *buffer = malloc(PIECE); /* aligned, it would leave gaps in the heap of a batch */
     if (!buffer) {
-        return memory.status;
+        return burnish_fail(error, BURNISH_STATUS_MEMORY, "out of memory: output buffer");
     }
     content what = {.source = source,
                     .user_data = user_data,
@@ -438,6 +437,6 @@ burnish_status burnish_file_write_stream_checked(const char *path, burnish_file_
                     .check = check,
                     .check_data = user_data};
     burnish_status status = write_content(path, &what, error);
-    burnish_release(NULL, buffer);
+    free(buffer);
     return status;
 }

@@ -33,6 +33,7 @@
 #include "render/output/result.h"
 #include "render/render.h"
 #include "sandbox/channel.h"
+#include "sandbox/lock.h"
 #include "sandbox/process.h"
 
 enum { WARNINGS_MAX = 8, WARNING_BYTES = 240, FILES_MAX = 64, PLATES_MAX = 64, FILAMENTS_MAX = 64 };
@@ -77,7 +78,7 @@ typedef struct runner {
 
 /* Hashes an open file. Returns 0, with errno set, if it is not a regular file or can't be read. */
 static int hash_open_file(int file, uint64_t *hash, uint64_t seed) {
-    static char buffer[1 << 15]; /* its pages fault again after each worker's fork */
+    static char buffer[1 << 13]; /* its pages fault again after each worker's fork */
     struct stat state;
     XXH64_state_t hasher;
     ssize_t size = -1;
@@ -142,7 +143,7 @@ static int has_same_files(const cJSON *line, const char *input, const char *root
     const size_t folder = (size_t)(cli_base_name(input) - input);
     uint64_t hash = 0;
     cJSON_ArrayForEach(name, names) {
-        char path[8192];
+        static char path[8192]; /* most batches need none */
         if (!cJSON_IsString(name) ||
             snprintf(path, sizeof path, "%.*s%s%s", root ? (int)strlen(root) : (int)folder,
                      root ? root : input, root ? "/" : "", name->valuestring) >= (int)sizeof path) {
@@ -240,11 +241,37 @@ static void record_result(void *context, const render_result *result) {
     }
 }
 
+/* The settings of one item; is_ours: an earlier run has drawn it. */
+static void set_item(const batch *b, const batch_item *item, int is_ours,
+                     render_settings *settings) {
+    *settings = b->settings->render;
+    settings->input.name = item->input;
+    settings->output.path = item->output;
+    settings->output.overwrite |= is_ours;
+    settings->output.is_derived = 1; /* the existing file may be a texture */
+    if (item->view >= 0) {
+        settings->picture.views.items[0] = settings->picture.views.items[item->view];
+        settings->picture.views.count = 1;
+    }
+    settings->job.quiet = settings->job.is_one_of_many = 1;
+    settings->job.threads = 1;
+    settings->job.is_reported = b->settings->is_render && b->report;
+    settings->job.on_result = record_result;
+}
+
 /* Draws, then ends the process with the exit code of `burnish render`. */
-__attribute__((noreturn)) static void draw(const runner *r, render_settings *settings) {
+__attribute__((noreturn)) static void draw(const runner *r, const batch_item *item, int is_ours) {
     burnish_error error = {BURNISH_STATUS_OK, ""};
     int code = 0;
-    burnish_status status = cli_limit_memory(settings->job.max_memory, &error);
+    burnish_status status = cli_limit_memory(r->b->settings->render.job.max_memory, &error);
+    cli_prepare_memory();
+    render_settings *settings = malloc(sizeof *settings);
+    status = settings ? status : cli_fail(&error, BURNISH_STATUS_MEMORY, "out of memory");
+    if (status == BURNISH_STATUS_OK) {
+        set_item(r->b, item, is_ours, settings);
+        settings->job.user_data = (void *)(uintptr_t)r;
+        status = render_finish(settings, &error);
+    }
     if (status == BURNISH_STATUS_OK) {
         status = render_run(settings, &code, &error);
     }
@@ -255,13 +282,13 @@ __attribute__((noreturn)) static void draw(const runner *r, render_settings *set
     _exit(code);
 }
 
-/* Runs the worker without a sandbox: it opens files itself. */
-static burnish_status run_plainly(const runner *r, render_settings *settings, int *code,
-                                  burnish_error *ended, burnish_error *error) {
+/* Forks a worker without a sandbox, which opens files itself, and waits for it. *code is -1 in it. */
+static burnish_status run_plainly(int *code, burnish_error *ended, burnish_error *error) {
     const pid_t worker = cli_fork(&(cli_plan){.ended_by = SIGKILL});
     if (worker == 0) {
-        cli_limit_worker(settings->job.max_seconds.value);
-        draw(r, settings);
+        cli_limit_worker(cli_seconds_given());
+        *code = -1;
+        return BURNISH_STATUS_OK;
     }
     if (worker < 0) {
         return cli_fail(error, BURNISH_STATUS_MEMORY, "no process: %s", strerror(errno));
@@ -277,13 +304,14 @@ static burnish_status run_plainly(const runner *r, render_settings *settings, in
 }
 
 /* Forks the worker and waits for it. *code receives its exit code, *line the reason for a failure. */
-static burnish_status run_worker(const runner *r, render_settings *settings, files *seen, int *code,
-                                 int *is_late, burnish_error *line) {
+static burnish_status run_worker(const runner *r, const batch_item *item, int is_ours, files *seen,
+                                 int *code, int *is_late, burnish_error *line) {
+    const render_settings *settings = &r->b->settings->render;
     burnish_error error = {BURNISH_STATUS_OK, ""}, ended = {BURNISH_STATUS_OK, ""};
-    const sandbox_plan plan = {.input = settings->input.name,
+    const sandbox_plan plan = {.input = item->input,
                                .root = settings->input.load.root,
                                .format = settings->input.load.format,
-                               .outputs = {render_output_path(&settings->output)},
+                               .outputs = {item->output},
                                .output_count = 1,
                                .max_input_bytes = settings->input.load.max_input_bytes,
                                .max_memory = settings->job.max_memory,
@@ -295,18 +323,18 @@ static burnish_status run_worker(const runner *r, render_settings *settings, fil
     cli_limit_child_seconds(settings->job.max_seconds.value);
     cli_set_child_memory(settings->job.max_memory);
     burnish_status status = settings->job.sandbox ? sandbox_begin(&plan, code, &error)
-                                                  : run_plainly(r, settings, code, &ended, &error);
+                                                  : run_plainly(code, &ended, &error);
     if (status == BURNISH_STATUS_OK && *code < 0) {
-        draw(r, settings);
+        draw(r, item, is_ours);
     }
     cli_limit_child_seconds(0);
     *is_late =
         status == BURNISH_STATUS_OK && settings->job.max_seconds.value > 0 && cli_child_was_late();
     if (*is_late) {
         cli_fail_late(cli_child_was_late(), settings->job.max_seconds.value, &ended);
-        status = cli_fail(&error, ended.status, "%.300s: %s", settings->input.name, ended.text);
+        status = cli_fail(&error, ended.status, "%.300s: %s", item->input, ended.text);
     } else if (status == BURNISH_STATUS_OK && ended.text[0]) {
-        status = cli_fail(&error, ended.status, "%.150s: %.300s", settings->input.name, ended.text);
+        status = cli_fail(&error, ended.status, "%.150s: %.300s", item->input, ended.text);
     }
     if (status != BURNISH_STATUS_OK) {
         *code = burnish_status_exit_code(status);
@@ -493,29 +521,12 @@ static char *render_line(const runner *r) {
     return line;
 }
 
-/* The settings of one item; is_ours: an earlier run has drawn it. */
-static void set_item(const batch *b, const batch_item *item, int is_ours,
-                     render_settings *settings) {
-    *settings = b->settings->render;
-    settings->input.name = item->input;
-    settings->output.path = item->output;
-    settings->output.overwrite |= is_ours;
-    settings->output.is_derived = 1; /* the existing file may be a texture */
-    if (item->view >= 0) {
-        settings->picture.views.items[0] = settings->picture.views.items[item->view];
-        settings->picture.views.count = 1;
-    }
-    settings->job.quiet = settings->job.is_one_of_many = 1;
-    settings->job.threads = 1;
-}
-
 /* Returns the line, to be freed, and fills *reply, which is sent before it. */
 static char *run_item(runner *r, uint32_t index, batch_reply *reply) {
     const batch_item *item = &r->b->list.items[index];
     const struct batch_past_line *past = batch_past_line(&r->b->past, item->id);
     const double start = burnish_seconds_now();
     burnish_error error = {BURNISH_STATUS_OK, ""};
-    render_settings settings;
     files seen = {0};
     uint64_t hash = 0;
     int code = 0, is_late = 0;
@@ -529,42 +540,35 @@ static char *run_item(runner *r, uint32_t index, batch_reply *reply) {
         reply->is_kept = 1;
         return strdup(past->line);
     }
-    set_item(r->b, item, past != NULL, &settings);
-    settings.job.is_reported = r->b->settings->is_render && r->b->report;
-    settings.job.on_result = record_result;
-    settings.job.user_data = r;
     r->shared->is_drawn = 0;
     if (status == BURNISH_STATUS_OK) {
         status = make_output_folders(r->b, item->output, &error);
     }
-    if (status == BURNISH_STATUS_OK) {
-        status = render_finish(&settings, &error);
-    }
     code = burnish_status_exit_code(status);
     if (status == BURNISH_STATUS_OK) {
-        status = run_worker(r, &settings, &seen, &code, &is_late, &error);
+        status = run_worker(r, item, past != NULL, &seen, &code, &is_late, &error);
     }
-    facts result = *r->shared;
-    reply->unmet = result.unmet;
-    result.message[sizeof result.message - 1] = 0;
-    if (status == BURNISH_STATUS_OK && code == 0 && !result.is_drawn) {
+    facts *result = r->shared; /* nothing else has it any more */
+    reply->unmet = result->unmet;
+    result->message[sizeof result->message - 1] = 0;
+    if (status == BURNISH_STATUS_OK && code == 0 && !result->is_drawn) {
         code = 1; /* ended by a crash or the sandbox */
     }
     if (status == BURNISH_STATUS_OK && code != 0) {
         cli_fail(&error, BURNISH_STATUS_FORMAT, "%s",
                  code == CLI_EXIT_BLANK ? "the picture is blank (--fail-on-blank)"
-                 : result.message[0]    ? result.message
+                 : result->message[0]   ? result->message
                                         : "the program that draws ended without a picture");
     }
     if (code != 0) {
         reply->failed = is_late ? BATCH_LATE : BATCH_FAILED;
     }
     const double seconds = burnish_seconds_now() - start;
-    const int is_whole = result.is_drawn && /* else it could not be finished */
+    const int is_whole = result->is_drawn && /* else it could not be finished */
                          (code == 0 || code == CLI_EXIT_BLANK || code == CLI_EXIT_DIFFERENT);
-    char *text = settings.job.is_reported && is_whole ? render_line(r)
+    char *text = r->b->settings->is_render && r->b->report && is_whole ? render_line(r)
                  : reply->failed ? batch_failed_line(r->b, item, code, error.text, seconds)
-                                 : done_line(r->b, item, hash, &result, &seen, seconds);
+                                 : done_line(r->b, item, hash, result, &seen, seconds);
     release_files(&seen);
     return text;
 }
@@ -576,6 +580,10 @@ void batch_runner(const batch *b, int channel) {
     r.report = (char *)(r.shared + 1);
     uint32_t index;
     int is_there = 1;
+    if (b->settings->render.job.sandbox) {
+        sandbox_prepare(0); /* if it fails, workers report it */
+    }
+    cli_prepare_forks();
     while (is_there && r.shared != MAP_FAILED && channel_read(channel, &index, sizeof index)) {
         batch_reply reply;
         char *line = run_item(&r, index, &reply);

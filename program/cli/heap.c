@@ -17,25 +17,47 @@ enum {
     LARGE_PAGE = 1 << 21
 };
 
+/* Allocates free pieces of the heap before an address, and never uses them: at most `most` of `size`
+ * bytes and then half as many, down to `least`. */
+static void take_pieces(uintptr_t end, size_t size, size_t least, int most) {
+    for (int i = 0; i < most && size >= least; ++i) {
+        void *const piece = malloc(size);
+        if ((uintptr_t)piece >= end) {
+            free(piece);
+            size /= 2;
+        }
+    }
+}
+
 void cli_prepare_memory(void) {
-    if (!mallopt(M_MMAP_THRESHOLD, KEPT) || !mallopt(M_TRIM_THRESHOLD, 2 * KEPT) ||
+    static int is_prepared;
+    if (is_prepared || !mallopt(M_MMAP_THRESHOLD, KEPT) || !mallopt(M_TRIM_THRESHOLD, 2 * KEPT) ||
         !mallopt(M_ARENA_MAX, 1)) {
         return;
     }
-    /* The rest of the heap up to the next large page is allocated and never used, so all memory is
-     * in large pages. */
-    void *volatile skipped = malloc(LARGE_PAGE - (uintptr_t)sbrk(0) % LARGE_PAGE);
-    char *room = malloc(ROOM);
-    (void)skipped;
-#ifdef MADV_HUGEPAGE
-    if (room) {
-        uintptr_t first = ((uintptr_t)room + LARGE_PAGE - 1) & ~(uintptr_t)(LARGE_PAGE - 1);
-        uintptr_t end = ((uintptr_t)room + ROOM) & ~(uintptr_t)(LARGE_PAGE - 1);
-        madvise((void *)first, end - first, MADV_HUGEPAGE); /* errors do not matter */
+    is_prepared = 1;
+    /* a large page must be new: up to the heap's end, pages can be in use or inherited */
+    const uintptr_t mask = ~(uintptr_t)(LARGE_PAGE - 1),
+                    first = ((uintptr_t)sbrk(0) + LARGE_PAGE - 1) & mask;
+    char *const room = malloc(ROOM);
+    const uintptr_t start = (uintptr_t)room;
+    if (!room || start > first || start + ROOM < first) { /* from elsewhere */
+        free(room);
+        return;
     }
+#ifdef MADV_HUGEPAGE
+    madvise((void *)first, ((start + ROOM) & mask) - first, MADV_HUGEPAGE); /* may fail */
 #endif
     free(room); /* stays in the heap: below the trim threshold */
+    take_pieces(first, first - start, 1 << 13, 64); /* they would fault page by page */
+}
+
+void cli_prepare_forks(void) {
+    if (mallopt(M_MXFAST, 0)) { /* small pieces are merged here, not in each child */
+        take_pieces((uintptr_t)sbrk(0), 1 << 16, 1, 1 << 14);
+    }
 }
 #else
 void cli_prepare_memory(void) {}
+void cli_prepare_forks(void) {}
 #endif

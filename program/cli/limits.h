@@ -57,4 +57,8 @@ cli_lateness cli_child_was_late(void);
  * allocation, with one thread. */
 void cli_prepare_memory(void);
 
+/* For processes that fork others again and again: takes all free pieces of memory, which would be
+ * reused in each child, at the price of a copied page for each. */
+void cli_prepare_forks(void);
+
 #endif

@@ -282,29 +282,38 @@ static burnish_status (*const steps[])(render_result *result, burnish_error *err
 };
 
 burnish_status render_run(render_settings *settings, int *exit_code, burnish_error *error) {
-    burnish_render_options options = render_make_options(settings);
-    render_result result = {.settings = settings,
-                            .options = &options,
-                            .warnings = {.print = settings->job.quiet ? NULL : cli_warn}};
     burnish_status status = BURNISH_STATUS_OK;
     cli_prepare_memory();
-    result.seconds.start = processor_seconds();
-    result.start = burnish_seconds_now();
+    struct run {
+        render_result result;
+        burnish_render_options options;
+    } *const run = calloc(1, sizeof *run);
+    if (!run) {
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
+    }
+    run->options = render_make_options(settings);
+    render_result *const result = &run->result;
+    result->settings = settings;
+    result->options = &run->options;
+    result->warnings.print = settings->job.quiet ? NULL : cli_warn;
+    result->seconds.start = processor_seconds();
+    result->start = burnish_seconds_now();
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == BURNISH_STATUS_OK; ++i) {
-        status = steps[i](&result, error);
+        status = steps[i](result, error);
     }
     if (status == BURNISH_STATUS_OK) {
         if (settings->job.timing) {
-            render_print_timing(&result.seconds);
+            render_print_timing(&result->seconds);
         }
         burnish_error line;
-        *exit_code = render_judge_result(&result, &line);
+        *exit_code = render_judge_result(result, &line);
         if (*exit_code != 0) {
             fprintf(stderr, "burnish: %s\n", line.text);
         }
-        confirm(&result);
+        confirm(result);
     }
-    release_result(&result);
+    release_result(result);
+    free(run);
     return status;
 }
 

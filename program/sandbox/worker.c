@@ -36,13 +36,14 @@ static int send_status(burnish_status status, const burnish_error *error) {
 
 static burnish_status write_by_broker(const char *path, burnish_file_source *source, void *context,
                                       burnish_file_check *ready, burnish_error *error) {
-    static char buffer[MESSAGE_DATA_MAX];
+    char *const buffer = malloc(MESSAGE_DATA_MAX); /* static memory faults page by page */
     message head;
     size_t size;
-    int is_there = channel_send(broker, MESSAGE_WRITE, 0, path, strlen(path));
-    while (is_there && (size = source(context, buffer, sizeof buffer)) > 0) {
+    int is_there = buffer && channel_send(broker, MESSAGE_WRITE, 0, path, strlen(path));
+    while (is_there && (size = source(context, buffer, MESSAGE_DATA_MAX)) > 0) {
         is_there = channel_send(broker, MESSAGE_DATA, 0, buffer, size);
     }
+    free(buffer);
     is_there =
         is_there && channel_send(broker, MESSAGE_END, 0, NULL, 0) && channel_receive(broker, &head);
     if (is_there && head.kind == MESSAGE_READY) {

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "cli/limits.h"
 #include "cli/main.h"
 #include "sandbox/lock.h"
 
@@ -155,6 +156,10 @@ static burnish_status serve_all(void *from, cli_call *call, burnish_error *error
     }
     defaults.given = (cli_given){{0}}; /* requests may set them again */
     const burnish_status status = render_finish(&defaults, error);
+    if (status == BURNISH_STATUS_OK && !settings->no_sandbox) {
+        sandbox_prepare(0); /* if it fails, workers report it */
+    }
+    cli_prepare_forks();
     return status == BURNISH_STATUS_OK ? serve_run(settings, error) : status;
 }
 

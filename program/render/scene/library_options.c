@@ -234,7 +234,8 @@ int render_is_calibrated(const render_settings *settings) {
 burnish_render_options render_make_options(const render_settings *settings) {
     const render_shading_settings *shading = &settings->shading;
     const render_picture_settings *picture = &settings->picture;
-    burnish_render_options options = burnish_render_options_default();
+    burnish_render_options options; /* made where it is returned: it is large */
+    burnish_render_options_init(&options, BURNISH_LAYOUT(burnish_render_options));
     burnish_render_options_set_look(&options, (burnish_look)shading->look, NULL);
     if (render_is_calibrated(settings)) {
         const double *k = settings->camera.intrinsics.values;
