@@ -429,7 +429,7 @@ burnish_status burnish_file_write_stream_checked(const char *path, burnish_file_
                                                  burnish_error *error) {
     char *buffer = malloc(PIECE); /* aligned, it would leave gaps in the heap of a batch */
     if (!buffer) {
-        return burnish_fail(error, BURNISH_STATUS_MEMORY, "out of memory: output buffer");
+        return burnish_fail_memory(error, "output buffer", PIECE);
     }
     content what = {.source = source,
                     .user_data = user_data,

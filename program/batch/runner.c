@@ -266,7 +266,8 @@ __attribute__((noreturn)) static void draw(const runner *r, const batch_item *it
     burnish_status status = cli_limit_memory(r->b->settings->render.job.max_memory, &error);
     cli_prepare_memory();
     render_settings *settings = malloc(sizeof *settings);
-    status = settings ? status : cli_fail(&error, BURNISH_STATUS_MEMORY, "out of memory");
+    status = settings ? status
+                      : cli_fail(&error, BURNISH_STATUS_MEMORY, "out of memory for the settings");
     if (status == BURNISH_STATUS_OK) {
         set_item(r->b, item, is_ours, settings);
         settings->job.user_data = (void *)(uintptr_t)r;

@@ -22,7 +22,7 @@ enum {
 static void take_pieces(uintptr_t end, size_t size, size_t least, int most) {
     for (int i = 0; i < most && size >= least; ++i) {
         void *const piece = malloc(size);
-        if ((uintptr_t)piece >= end) {
+        if (!piece || (uintptr_t)piece >= end) {
             free(piece);
             size /= 2;
         }

@@ -289,7 +289,7 @@ burnish_status render_run(render_settings *settings, int *exit_code, burnish_err
         burnish_render_options options;
     } *const run = calloc(1, sizeof *run);
     if (!run) {
-        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory");
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the settings");
     }
     run->options = render_make_options(settings);
     render_result *const result = &run->result;

@@ -125,7 +125,8 @@ int sandbox_prepare(int pretends) {
                          "open openat access faccessat faccessat2 stat lstat statfs readlink "
                          "readlinkat uname getcwd times");
     }
-    if (code == 0 && pipe(ends) == 0) {
+    code = code ? code : pipe(ends) == 0 ? 0 : -errno;
+    if (code == 0) {
         code = seccomp_export_bpf(filter, ends[1]);
         close(ends[1]);
         const ssize_t size = code == 0 ? read(ends[0], instructions, sizeof instructions) : 0;
@@ -135,13 +136,13 @@ int sandbox_prepare(int pretends) {
         }
     }
     seccomp_release(filter);
-    return instruction_count > 0 ? 0 : code != 0 ? -code : EMFILE;
+    return instruction_count > 0 ? 0 : code != 0 ? -code : E2BIG;
 }
 
 static int forbid_calls(void) {
     for (size_t i = 0; i < instruction_count; ++i) {
-        if (instructions[i].k == OWN_ID) {
-            instructions[i].k = (uint32_t)getpid();
+        if (instructions[i].code == (BPF_JMP | BPF_JEQ | BPF_K) && instructions[i].k == OWN_ID) {
+            instructions[i].k = (uint32_t)getpid(); /* without it, abort ends by SIGSYS */
         }
     }
     const struct sock_fprog filter = {(unsigned short)instruction_count, instructions};

@@ -10,7 +10,7 @@ int sandbox_is_built(void);
  * does it otherwise; its argument must be the same. Returns 0 or an errno. */
 int sandbox_prepare(int pretends);
 
-/* Sandboxes the calling thread, which must be the only one; later threads inherit it. In this order:
+/* Sandboxes the calling thread, the only one; later threads inherit it. After sandbox_prepare:
  *   descriptors    those from `descriptors` on are closed
  *   no_new_privs   and not dumpable: no rights from a program's file, no core file, no debugger
  *   RLIMIT_CORE    0

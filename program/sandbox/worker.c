@@ -39,7 +39,10 @@ static burnish_status write_by_broker(const char *path, burnish_file_source *sou
     char *const buffer = malloc(MESSAGE_DATA_MAX); /* static memory faults page by page */
     message head;
     size_t size;
-    int is_there = buffer && channel_send(broker, MESSAGE_WRITE, 0, path, strlen(path));
+    if (!buffer) {
+        return cli_fail(error, BURNISH_STATUS_MEMORY, "out of memory for the output");
+    }
+    int is_there = channel_send(broker, MESSAGE_WRITE, 0, path, strlen(path));
     while (is_there && (size = source(context, buffer, MESSAGE_DATA_MAX)) > 0) {
         is_there = channel_send(broker, MESSAGE_DATA, 0, buffer, size);
     }
