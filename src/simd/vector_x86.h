@@ -53,8 +53,8 @@ static inline void pack_pixels(uint8_t *to, const uint32_t *from) {
     __m128i pixels = _mm_loadu_si128((const __m128i *)(const void *)from);
     _mm_storeu_si128((__m128i *)(void *)to, _mm_shuffle_epi8(pixels, order));
 }
-/* Four numbers of 4 bytes, `size` bytes times the index from a table on. Loads and insertions take a third
- * of the time of gather instructions on AMD's processors of family 26, and Intel's cure of
+/* 4 bytes from table + index * size on, four times. Loads and insertions take a third
+ * of the time of gather instructions on AMD's processors of family 26, and Intel's microcode against
  * CVE-2022-40982 makes these slow, too. */
 BURNISH_INLINE __m128i gather_four(const void *table, int size, __m128i index) {
     const int64_t low = ((__v2di)index)[0], high = ((__v2di)index)[1];

@@ -121,8 +121,8 @@ static void test_encoders(void) {
         for (uint64_t bits = 0; batch && bits <= UINT32_MAX;) {
             for (int i = 0; i < COUNT; ++i) {
                 for (int k = 0; k < 3; ++k, bits += 4099) {
-                    /* a vector's values are up to 15 to 18 buckets apart */
-                    const uint32_t apart = (uint32_t)(i % 16 * (k - 1));
+                    /* from the first of a vector: up to 27 buckets below, to 33 above */
+                    const uint32_t apart = (uint32_t)(i % 16 * 2 * (k - 1));
                     const uint32_t pattern = (uint32_t)bits + (apart << 16);
                     memcpy(&values[k][i], &pattern, sizeof pattern);
                 }

@@ -92,6 +92,7 @@ static void scatter_material(int32_t material, const int32_t *materials, int siz
 
 /* The code is in the third byte of a lane; the lower ones hold anything. */
 BURNISH_INLINE vi encode_vector(const burnish_srgb_encoder *encoder, vf linear) {
+    _Static_assert((int)LANES <= (int)BURNISH_SRGB_AROUND, "vi_gather_near reads so far");
     enum { BUCKET = (BURNISH_SRGB_FIRST_BITS >> 16) - BURNISH_SRGB_AROUND };
     /* indices count from float 0 */
     const int32_t *entries =
