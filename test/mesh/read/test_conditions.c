@@ -206,10 +206,11 @@ static void check_mutations(input *in, int count) {
 static void check_damage(input *in) {
     static const int none[] = {0};
     const size_t size = in->file.size;
+    uint64_t start = test_seed(size);
     const int announces = in->format == BURNISH_FORMAT_BMS || in->format == BURNISH_FORMAT_3MF ||
                           memcmp(in->file.bytes, "glTF", 4) == 0;
     in->is_golden = 0;
-    for (size_t i = size % every; i < size; i += every) {
+    for (size_t i = start % every; i < size; i += every) {
         in->file.size = i;
         check_chunks(in, announces && i + 4 < size ? BROKEN : ANYTHING, none, NULL);
         in->file.size = size;

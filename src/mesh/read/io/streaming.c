@@ -7,7 +7,7 @@
 
 enum {
     PIECE = 4 * BURNISH_STREAMED_HEAD, /* bytes that are read at once, by each thread */
-    GRAIN = 1 << 13                    /* rows that a thread takes at once if all are in memory */
+    GRAIN = BURNISH_STREAMED_HEAD / 8  /* rows that a thread takes at once if all are in memory */
 };
 
 size_t burnish_reader_head(const burnish_reader *reader) {

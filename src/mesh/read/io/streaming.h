@@ -14,7 +14,7 @@ typedef struct burnish_streaming {
     size_t head;    /* bytes at its beginning that are in memory */
 } burnish_streaming;
 
-/* Bytes of the head; fuzzing takes fewer. */
+/* Bytes of the head; builds for sanitizers take fewer. */
 #ifndef BURNISH_STREAMED_HEAD
 #define BURNISH_STREAMED_HEAD 65536
 #endif
