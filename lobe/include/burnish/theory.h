@@ -39,9 +39,9 @@ extern "C" {
 #endif
 
 /* Values of the lobes in double precision, references for the float ones. c can be any double: > 1
- * counts as 1, NaN gives 0, and <= 0 gives 0 except for the family. A NaN
- * parameter gives 0. Results are in [0, 1], with an absolute error below 1e-14 and a relative error
- * below 1e-12 for values of at least 1e-6. cos^n uses the C library. */
+ * counts as 1, NaN gives 0, and <= 0 gives 0 except for the family. A NaN parameter
+ * gives 0. Results are in [0, 1], with an absolute error below 1e-14 and a relative error below
+ * 1e-12 for values of at least 1e-6. cos^n uses the C library. */
 
 /* max(0, 1 - zeta (1 - c))^order; zeta >= 0; an order that does not exist gives 0. */
 BURNISH_THEORY_API double burnish_theory_family(double zeta, int order, double cosine);
