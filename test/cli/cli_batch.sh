@@ -361,11 +361,12 @@ rm -rf out real elsewhere
 
 # A worker that ends as if all were well, without a picture.
 printf '#include <sys/prctl.h>\n#include <unistd.h>\nint prctl(int what, ...) {\n    if (what == PR_SET_NO_NEW_PRIVS) {\n        _exit(0);\n    }\n    return 0;\n}\n' >lie.c
-if cc -shared -fPIC -o lie.so lie.c 2>/dev/null && LD_PRELOAD=$PWD/lie.so "$burnish" batch in/a.obj -d out --size=16 $memory 2>"$err"; then
-    echo "skipped: workers are not sandboxed, or the C library is part of the program"
-elif [ -f lie.so ]; then
+if draws --sandbox && cc -shared -fPIC -o lie.so lie.c 2>/dev/null; then
+    LD_PRELOAD=$PWD/lie.so "$burnish" batch in/a.obj -d out --size=16 $memory 2>"$err" || true
     check "a worker that lies: $(cat "$err")" grep -qx 'burnish: in/a.obj: the program that draws ended without a picture' "$err"
     check "its line" grep -q '"code":1,"error":"the program that draws ended without a picture"' out/burnish-batch.jsonl
+else
+    skip "a worker that lies, no sandbox or no compiler here"
 fi
 rm -rf lie.c lie.so out
 
