@@ -11,10 +11,8 @@ typedef enum cli_lateness { CLI_NOT_LATE, CLI_LATE_WALL, CLI_LATE_PROCESSOR } cl
  * Errors: ARGUMENT (this system has no timers). */
 burnish_status cli_limit_seconds(double seconds, burnish_error *error);
 
-/* Not on Windows: cli_limit_worker, cli_limit_child, cli_limit_child_seconds, cli_child_was_late. */
-
 /* Ends this process by SIGPROF after that many seconds of processor time; its parent waits for it and
- * limits wall-clock time. 0: no limit. */
+ * limits wall-clock time. 0: no limit. On Windows neither this nor limits of children are defined. */
 void cli_limit_worker(double seconds);
 
 /* The limit in seconds of processor time; 0: none. */
