@@ -122,8 +122,7 @@ static void test_encoders(void) {
             for (int i = 0; i < COUNT; ++i) {
                 for (int k = 0; k < 3; ++k, bits += 4099) {
                     /* from the first of a vector: up to 27 buckets below, to 33 above */
-                    const uint32_t apart = (uint32_t)(i % 16 * 2 * (k - 1));
-                    const uint32_t pattern = (uint32_t)bits + (apart << 16);
+                    uint32_t pattern = (uint32_t)bits + (uint32_t)(i % 16 * 2 * (k - 1)) * 65536;
                     memcpy(&values[k][i], &pattern, sizeof pattern);
                 }
                 if (i < 255) {

@@ -134,6 +134,8 @@ static void check_values(void) {
     for (double c = 0.001; c < 1; c += 0.001) {
         double n = 20, book = c / (n - n * c + c);
         CHECK(fabs(burnish_theory_schlick(c, n) - book) < 1e-14, "schlick at %g", c);
+        double s = 0.9 + 0.2 * c;
+        CHECK1(fabs(burnish_theory_lyon_normalize_factor(s) * sqrt(s) - 1) < 0.0004);
     }
 }
 
