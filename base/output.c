@@ -427,7 +427,7 @@ burnish_status burnish_file_write_stream(const char *path, burnish_file_source *
 burnish_status burnish_file_write_stream_checked(const char *path, burnish_file_source *source,
                                                  void *user_data, burnish_file_check *check,
                                                  burnish_error *error) {
-    char *buffer = malloc(PIECE); /* aligned, it would leave gaps in the heap of a batch */
+    char *buffer = malloc(PIECE); /* if aligned, it would leave gaps in the heap */
     if (!buffer) {
         return burnish_fail_memory(error, "output buffer", PIECE);
     }

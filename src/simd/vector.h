@@ -12,7 +12,7 @@
  *   vi_store_le_bytes    four bytes per lane, the lowest first
  *   vf_stream            past the caches, to an aligned address; vector_fence orders what follows
  *   vf_gather, vi_gather table[index] per lane
- *   vi_gather_near       the same, for mostly near indices; may read LANES items around them
+ *   vi_gather_near       the same, faster for near indices; may read LANES items around them
  *   vi_gather16          table[index] for a table of 16 numbers, index in [0, 15]
  *   vi_gather_pair       table[index] in the low half, table[index + 1] in the high half
  *   vf_load_aos4         x[i] = number i of the four floats at from[lane]: an array of structures
