@@ -27,7 +27,7 @@ add_subdirectory(${SOURCE} burnish)
 add_executable(picture ${SOURCE}/docs/examples/picture.c)
 target_link_libraries(picture PRIVATE burnish::burnish)
 END
-    cmake -S . -B build -G Ninja -DSOURCE="$source" -DCMAKE_C_COMPILER="$cc" -DCMAKE_BUILD_TYPE=None -DCMAKE_C_FLAGS=-O1 -DBURNISH_VECTORS=OFF \
+    cmake -S . -B build -G Ninja -DSOURCE="$source" -DCMAKE_C_COMPILER="$cc" -DCMAKE_BUILD_TYPE=None -DCMAKE_C_FLAGS=-O0 -DBURNISH_VECTORS=OFF \
         -DCMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON -DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=ON >log
     cmake --build build >>log || { tail -n 20 log; exit 1; }
     [ -z "$(find build -name '*.a' ! -name libburnish.a)" ] || { echo "embed: more than the library is built"; exit 1; }
@@ -35,7 +35,7 @@ END
     ;;
 cc)
     cd "$source"
-    "$cc" -std=c17 -O1 -ffp-contract=off -fno-tree-slp-vectorize -D_GNU_SOURCE -I . -I include -I base/include -I lobe/include -I src \
+    "$cc" -std=c17 -O0 -ffp-contract=off -fno-tree-slp-vectorize -D_GNU_SOURCE -I . -I include -I base/include -I lobe/include -I src \
         $(find src base/*.c lobe/spec -name '*.c' ! -name '*_isal.c' ! -name '*_zlib.c') docs/examples/picture.c -o "$OLDPWD/picture" -pthread -lm
     cd "$OLDPWD"
     ;;
