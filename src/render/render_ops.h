@@ -69,6 +69,7 @@ typedef struct burnish_code_direction {
     float limit;                                 /* of what others are off; 0: none points there */
     float inverse;                               /* of the largest component */
     int32_t code;
+    int pause, left; /* vectors between two tries, and until the next */
 } burnish_code_direction;
 
 /* Pixels that become codes: normals of any length, which are shown where their depth is that of a

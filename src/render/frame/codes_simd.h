@@ -82,14 +82,20 @@ BURNISH_INLINE void set_direction(burnish_code_direction *known, const float nor
 }
 
 /* After a vector that points elsewhere, of which normal i is one: the next one is not compared, but
- * a direction to compare with, because on a curved surface nothing is gained. */
+ * a direction to compare with, because on a curved surface nothing is gained. There directions are
+ * tried less and less often. */
 BURNISH_INLINE void next_direction(burnish_code_direction *known, const float *const normal[3],
                                    size_t i) {
+    enum { LONGEST_PAUSE = 15 };
     if (known->state != CODE_NONE) {
         known->state = CODE_NONE;
-        return;
+        known->left = known->pause;
+        known->pause = known->pause < LONGEST_PAUSE ? 2 * known->pause + 1 : LONGEST_PAUSE;
+    } else if (known->left > 0) {
+        --known->left;
+    } else {
+        set_direction(known, (const float[3]){normal[0][i], normal[1][i], normal[2][i]});
     }
-    set_direction(known, (const float[3]){normal[0][i], normal[1][i], normal[2][i]});
 }
 
 /* Bounds of the cosine of a unit vector with another vector; side: -1 for the least, 1 for the
@@ -165,27 +171,51 @@ BURNISH_INLINE vi load_face_codes(const float *numbers, vm *left) {
     return vi_or(vi_and(bits, vi_set(0x7fffff)), vi_and(vi_shr(bits, 8), vi_set(0x800000)));
 }
 
-/* `ways` vectors of pixels from i on. */
+/* Pixels that are shaded before any is encoded: a look-up waits for its light, and meanwhile the next
+ * vectors' lights are computed. */
+enum { CODE_VECTORS = 16 };
+typedef struct code_chunk {
+    size_t first;    /* of its pixels */
+    unsigned shaded; /* bits of the vectors whose light is here; the others have codes */
+    float light[3][CODE_VECTORS * LANES];
+} code_chunk;
+
+typedef struct code_vector {
+    vm shown, left; /* pixels that show a triangle; of these the ones without a face's code */
+    vi of_face;
+} code_vector;
+
+BURNISH_INLINE code_vector load_code_vector(const burnish_code_batch *batch, size_t i) {
+    code_vector v;
+    v.shown = vf_greater(vf_load(batch->depths + i), vf_set(BURNISH_FARTHEST));
+    v.left = v.shown;
+    v.of_face = batch->has_codes ? load_face_codes(batch->normal[0] + i, &v.left) : vi_set(0);
+    return v;
+}
+
+BURNISH_INLINE void store_codes(const burnish_code_batch *batch, const code_vector *v, vi own,
+                                uint32_t *codes) {
+    const vi alpha = vi_set((int32_t)batch->alpha), background = vi_set((int32_t)batch->background);
+    own = batch->has_codes ? vi_blend(v->left, own, v->of_face) : own;
+    vi_store((int32_t *)codes, vi_blend(v->shown, vi_or(own, alpha), background));
+}
+
+/* `ways` vectors of pixels from i on: their light, or their codes if all have one that is known. */
 BURNISH_INLINE void shade_some_codes(shade_kernel kernel, int ways,
                                      const burnish_kernels_shader *shader,
                                      const burnish_srgb_encoder *encoder,
-                                     const burnish_code_batch *batch, size_t i, uint32_t *codes) {
+                                     const burnish_code_batch *batch, size_t i, code_chunk *chunk,
+                                     uint32_t *codes) {
     burnish_code_direction *known = batch->known;
     const burnish_kernels_points points = {
         .normal = {batch->normal[0], batch->normal[1], batch->normal[2]}};
-    const vi alpha = vi_set((int32_t)batch->alpha), background = vi_set((int32_t)batch->background);
-    vi code[SHADE_WAYS], of_face[SHADE_WAYS];
-    vm shown[SHADE_WAYS], left[SHADE_WAYS]; /* of these the ones that have no code yet */
+    const size_t at = i - chunk->first;
+    code_vector v[SHADE_WAYS];
+    vm left[SHADE_WAYS];
     int any = 0;
     for (int j = 0; j < ways; ++j) {
-        shown[j] =
-            vf_greater(vf_load(batch->depths + i + (size_t)j * LANES), vf_set(BURNISH_FARTHEST));
-        left[j] = shown[j];
-        code[j] = background;
-        of_face[j] = background;
-        if (batch->has_codes) {
-            of_face[j] = load_face_codes(batch->normal[0] + i + (size_t)j * LANES, &left[j]);
-        }
+        v[j] = load_code_vector(batch, i + (size_t)j * LANES);
+        left[j] = v[j].left;
         any |= vm_any(left[j]);
     }
     const int is_known =
@@ -193,25 +223,25 @@ BURNISH_INLINE void shade_some_codes(shade_kernel kernel, int ways,
     if (any && is_known && known->state == CODE_UNKNOWN) {
         find_code(kernel, shader, encoder, known);
     }
-    const int is_one = is_known && known->state == CODE_ONE;
-    if (any && !is_one) {
-        vf light[SHADE_WAYS][3];
-        shade_points(kernel, ways, shader, &points, i, light);
+    if (!any || (is_known && known->state == CODE_ONE)) {
+        known->pause = any ? 0 : known->pause;
         for (int j = 0; j < ways; ++j) {
-            code[j] = encode_channels(encoder, kernel.channels, light[j]);
+            store_codes(batch, &v[j], vi_set(known->code), codes + i + (size_t)j * LANES);
         }
-        if (!is_known) {
-            const unsigned bits = vm_bits(left[ways - 1]);
-            next_direction(known, points.normal,
-                           i + (size_t)(ways - 1) * LANES +
-                               (bits ? (size_t)__builtin_ctz(bits) : 0));
+        return;
+    }
+    vf light[SHADE_WAYS][3];
+    shade_points(kernel, ways, shader, &points, i, light);
+    chunk->shaded |= ((1u << ways) - 1) << at / LANES;
+    for (int j = 0; j < ways; ++j) {
+        for (int k = 0; k < kernel.channels; ++k) {
+            vf_store(chunk->light[k] + at + (size_t)j * LANES, light[j][k]);
         }
     }
-    for (int j = 0; j < ways; ++j) {
-        vi own = is_one ? vi_set(known->code) : code[j];
-        own = batch->has_codes ? vi_blend(left[j], own, of_face[j]) : own;
-        vi_store((int32_t *)codes + i + (size_t)j * LANES,
-                 vi_blend(shown[j], vi_or(own, alpha), background));
+    if (!is_known) {
+        const unsigned bits = vm_bits(left[ways - 1]);
+        next_direction(known, points.normal,
+                       i + (size_t)(ways - 1) * LANES + (bits ? (size_t)__builtin_ctz(bits) : 0));
     }
 }
 
@@ -222,17 +252,32 @@ BURNISH_INLINE void shade_codes(int body, int channels, const burnish_kernels_sh
     const shade_kernel kernel = {body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_FLOAT, channels};
     burnish_code_direction known = *given->known; /* which no store can change */
     burnish_code_batch batch = *given;
-    size_t i = 0;
+    code_chunk chunk;
     batch.known = &known;
     if (known.shader != shader) {
         known.shader = shader;
         known.state = CODE_NONE;
     }
-    for (; i + PAIR <= count; i += PAIR) {
-        shade_some_codes(kernel, SHADE_WAYS, shader, encoder, &batch, i, codes);
-    }
-    for (; i < count; i += LANES) {
-        shade_some_codes(kernel, 1, shader, encoder, &batch, i, codes);
+    for (size_t i = 0; i < count;) {
+        const size_t end = i + CODE_VECTORS * LANES < count ? i + CODE_VECTORS * LANES : count;
+        chunk.first = i;
+        chunk.shaded = 0;
+        for (; i + PAIR <= end; i += PAIR) {
+            shade_some_codes(kernel, SHADE_WAYS, shader, encoder, &batch, i, &chunk, codes);
+        }
+        for (; i < end; i += LANES) {
+            shade_some_codes(kernel, 1, shader, encoder, &batch, i, &chunk, codes);
+        }
+        for (; chunk.shaded; chunk.shaded &= chunk.shaded - 1) {
+            const size_t at = (size_t)__builtin_ctz(chunk.shaded) * LANES;
+            const code_vector v = load_code_vector(&batch, chunk.first + at);
+            vf light[3] = {vf_load(chunk.light[0] + at)};
+            for (int k = 1; k < channels; ++k) {
+                light[k] = vf_load(chunk.light[k] + at);
+            }
+            store_codes(&batch, &v, encode_channels(encoder, channels, light),
+                        codes + chunk.first + at);
+        }
     }
     *given->known = known;
 }
@@ -242,8 +287,7 @@ BURNISH_INLINE void shade_codes(int body, int channels, const burnish_kernels_sh
 BURNISH_INLINE int32_t face_code(int body, const burnish_kernels_shader *shader,
                                  const burnish_srgb_encoder *encoder, const float normal[3],
                                  burnish_code_direction *known) {
-    burnish_code_direction own;
-    own.shader = shader;
+    burnish_code_direction own = {.shader = shader};
     set_direction(&own, normal);
     int is_new = known->shader != shader || known->axis != own.axis ||
                  (known->inverse > 0) != (own.inverse > 0);
