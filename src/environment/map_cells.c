@@ -42,7 +42,7 @@ typedef struct grid {
     int size, border, stride; /* texels per side, around them, and per row */
     int across;               /* cells per row of cells */
     texel *texels;
-    atomic_uchar *states;
+    atomic_uint *states;
     float *coordinates; /* p of the columns, q of the rows of a half; up to a multiple of 4 */
     cubic *cubics;      /* of a lobe: for the rows and the columns of the map that it is added to */
     burnish_map_light light,
@@ -146,7 +146,7 @@ static int take_cells(grid *s, area a, int *cells) {
     for (int y = a.top >> BITS; y <= a.bottom >> BITS; ++y) {
         for (int x = a.left >> BITS; x <= a.right >> BITS; ++x) {
             const int cell = y * s->across + x;
-            unsigned char empty = BURNISH_LIGHT_EMPTY;
+            unsigned empty = BURNISH_LIGHT_EMPTY;
             if (atomic_load_explicit(&s->states[cell], memory_order_relaxed) == empty &&
                 atomic_compare_exchange_strong(&s->states[cell], &empty, BURNISH_LIGHT_BUSY)) {
                 cells[count++] = cell;

@@ -15,9 +15,9 @@
  *
  * Texels are computed when they are first looked up, in cells of BURNISH_LIGHT_CELL rows and columns. */
 typedef struct burnish_light_map {
-    int size;             /* texels per side without the border */
-    const float *texels;  /* red, green, blue and 0 of each; 2 (size + 2) rows of size + 2 */
-    atomic_uchar *states; /* burnish_light_state of each cell, row by row; NULL: all are ready */
+    int size;            /* texels per side without the border */
+    const float *texels; /* red, green, blue and 0 of each; 2 (size + 2) rows of size + 2 */
+    atomic_uint *states; /* burnish_light_state of each cell, row by row; NULL: all are ready */
     void (*fill)(void *cells, int number); /* makes a cell ready */
     void *cells;
 } burnish_light_map;
