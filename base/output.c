@@ -420,13 +420,8 @@ burnish_status burnish_file_write_checked(const char *path, const void *bytes, s
 }
 
 burnish_status burnish_file_write_stream(const char *path, burnish_file_source *source,
-                                         void *user_data, burnish_error *error) {
-    return burnish_file_write_stream_checked(path, source, user_data, NULL, error);
-}
-
-burnish_status burnish_file_write_stream_checked(const char *path, burnish_file_source *source,
-                                                 void *user_data, burnish_file_check *check,
-                                                 burnish_error *error) {
+                                         void *user_data, burnish_file_check *check,
+                                         burnish_error *error) {
     char *buffer = malloc(PIECE); /* if aligned, it would leave gaps in the heap */
     if (!buffer) {
         return burnish_fail_memory(error, "output buffer", PIECE);

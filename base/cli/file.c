@@ -48,9 +48,7 @@ burnish_status cli_file_write_checked(const char *path, const void *bytes, size_
     return chosen(path, take_bytes, &source, finish_bytes, error);
 }
 
-burnish_status cli_file_write_stream_checked(const char *path, burnish_file_source *source,
-                                             void *context, burnish_file_check *ready,
-                                             burnish_error *error) {
-    return (chosen ? chosen : burnish_file_write_stream_checked)(path, source, context, ready,
-                                                                 error);
+burnish_status cli_file_write_stream(const char *path, burnish_file_source *source, void *context,
+                                     burnish_file_check *ready, burnish_error *error) {
+    return (chosen ? chosen : burnish_file_write_stream)(path, source, context, ready, error);
 }

@@ -301,7 +301,7 @@ static void test_killed_writer(void) {
         pid_t child = fork();
         if (child == 0) {
             int calls = 0;
-            burnish_file_write_stream(path_of("a"), deadly_source, &calls, NULL);
+            burnish_file_write_stream(path_of("a"), deadly_source, &calls, NULL, NULL);
             _exit(0);
         }
         int result = 0;
@@ -366,7 +366,7 @@ static size_t interrupted_source(void *context, char *buffer, size_t size) {
 static void test_remove_temporaries(void) {
     int entries[2] = {0, 0};
     has_no_proc = 1;
-    CHECK_STATUS(burnish_file_write_stream(path_of("t"), interrupted_source, entries, NULL),
+    CHECK_STATUS(burnish_file_write_stream(path_of("t"), interrupted_source, entries, NULL, NULL),
                  BURNISH_STATUS_WRITE);
     has_no_proc = 0;
     CHECK(entries[0] == 1 && entries[1] == 0, "%d entries, then %d", entries[0], entries[1]);
@@ -423,15 +423,15 @@ static void test_last_step_of_stream(void) {
     for (has_no_proc = 0; has_no_proc <= 1; ++has_no_proc) {
         broken_stream stream = {0, BURNISH_STATUS_LIMIT};
         CHECK_STATUS(burnish_file_write(path_of("s"), "old", 3, NULL), BURNISH_STATUS_OK);
-        CHECK_STATUS(burnish_file_write_stream_checked(path_of("s"), three_bytes, &stream,
-                                                       last_status, &error),
-                     BURNISH_STATUS_LIMIT);
+        CHECK_STATUS(
+            burnish_file_write_stream(path_of("s"), three_bytes, &stream, last_status, &error),
+            BURNISH_STATUS_LIMIT);
         CHECK(stream.calls == 2 && holds(path_of("s"), "old") && entry_count() == 1, "%d entries",
               entry_count());
         stream = (broken_stream){0, BURNISH_STATUS_OK};
-        CHECK_STATUS(burnish_file_write_stream_checked(path_of("s"), three_bytes, &stream,
-                                                       last_status, &error),
-                     BURNISH_STATUS_OK);
+        CHECK_STATUS(
+            burnish_file_write_stream(path_of("s"), three_bytes, &stream, last_status, &error),
+            BURNISH_STATUS_OK);
         CHECK(holds(path_of("s"), "new") && entry_count() == 1, "%d entries", entry_count());
         unlink(path_of("s"));
     }

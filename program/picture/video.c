@@ -136,7 +136,7 @@ burnish_status picture_write_video(const char *container, const char *path,
     if (ffmpeg_finish(&e) && is_open) {
         video v = {e.video, ready, context};
         lseek(e.video, 0, SEEK_SET);
-        status = burnish_file_write_stream_checked(path, take_video, &v, check_video, error);
+        status = burnish_file_write_stream(path, take_video, &v, check_video, error);
     } else {
         status = fail_ffmpeg(&e, path, error);
     }

@@ -21,7 +21,7 @@ int picture_check_frames(picture_frames *frames, const void *bytes, size_t size)
 /* ARGUMENT if no ffmpeg is in the folders of PATH. `flag` and `path` name the output in the message. */
 burnish_status picture_check_video(const char *flag, const char *path, burnish_error *error);
 
-/* Encodes a stream of Y4M and writes the video as burnish_file_write_stream_checked does: the file
+/* Encodes a stream of Y4M and writes the video as burnish_file_write_stream does: the file
  * appears complete or not at all. ffmpeg gets the stream by a pipe and writes to an unnamed file.
  *   container  ffmpeg's name: "mp4", "webm"
  * Errors: WRITE (also if ffmpeg fails), MEMORY. */

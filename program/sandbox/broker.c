@@ -135,7 +135,7 @@ static void write_output(broker *b, const char *path) {
     }
     burnish_status status =
         container ? picture_write_video(container, path, take_data, &o, let_finish, &error)
-                  : burnish_file_write_stream_checked(path, take_data, &o, let_finish, &error);
+                  : burnish_file_write_stream(path, take_data, &o, let_finish, &error);
     b->depth -= 1;
     while (take_data(&o, unread, sizeof unread) >
            0) { /* discards an output that can't be written */

@@ -272,26 +272,17 @@ BURNISH_API burnish_status burnish_file_write_checked(const char *path, const vo
  * Returns the number of bytes, at most size; 0 ends the output. */
 typedef size_t burnish_file_source(void *user_data, char *buffer, size_t size);
 
-/* burnish_file_write() for an output that is generated while it is written, through one buffer.
+/* burnish_file_write_checked() for an output that is generated while it is written, through one
+ * buffer. A source that fails returns 0, and check returns its error; then no file appears.
  *   path       the file; "-" is standard output
  *   source     called until it returns 0; not NULL
- *   user_data  passed to source
+ *   user_data  passed to source and check
+ *   check      NULL: no check
  *   error      receives the message; may be NULL
- * Errors: as for burnish_file_write(). */
-BURNISH_API burnish_status burnish_file_write_stream(const char *path, burnish_file_source *source,
-                                                     void *user_data, burnish_error *error);
-
-/* burnish_file_write_stream() with a last check. A source that fails returns 0, and check returns
- * its error; then no file appears.
- *   path, source, error  as for burnish_file_write_stream()
- *   user_data            passed to source and check
- *   check                NULL: no check
  * Errors: as for burnish_file_write(), or the error of check. */
-BURNISH_API burnish_status burnish_file_write_stream_checked(const char *path,
-                                                             burnish_file_source *source,
-                                                             void *user_data,
-                                                             burnish_file_check *check,
-                                                             burnish_error *error);
+BURNISH_API burnish_status burnish_file_write_stream(const char *path, burnish_file_source *source,
+                                                     void *user_data, burnish_file_check *check,
+                                                     burnish_error *error);
 
 /* Removes the temporary files that are being written at this moment. For a signal handler that ends
  * the process: async-signal-safe. Calls that are writing will fail. */

@@ -428,7 +428,7 @@ static burnish_status write_frames(stream *s, burnish_error *error) {
     burnish_status status =
         container && !sandbox_is_worker() /* the broker runs ffmpeg */
             ? picture_write_video(container, path, take_bytes, s, finish_file, error)
-            : cli_file_write_stream_checked(path, take_bytes, s, finish_file, error);
+            : cli_file_write_stream(path, take_bytes, s, finish_file, error);
     if (s->write_status != BURNISH_STATUS_OK) { /* ffmpeg complains about a truncated stream */
         *error = s->write_error;
         status = s->write_status;
