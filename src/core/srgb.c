@@ -16,7 +16,7 @@ static float bits_float(uint32_t bits) {
     return value;
 }
 
-/* The float's pattern names a bucket with at most one threshold in it, so one comparison decides.
+/* The float's pattern names a bucket with at most two thresholds in it, so two comparisons decide.
  * The order of the first clamp's operands sends NaN to the lowest bucket. */
 uint8_t burnish_linear_to_srgb(float linear) {
     const float lowest = bits_float(SRGB_FIRST_BITS);
@@ -26,22 +26,24 @@ uint8_t burnish_linear_to_srgb(float linear) {
     uint32_t bits;
     memcpy(&bits, &x, sizeof bits);
     unsigned code = bucket_code[(bits - SRGB_FIRST_BITS) >> SRGB_BUCKET_SHIFT];
+    code += x >= next_threshold[code];
     return (uint8_t)(code + (x >= next_threshold[code]));
 }
 
-_Static_assert((int)BURNISH_SRGB_BUCKETS == SRGB_BUCKETS && SRGB_BUCKET_SHIFT == 16 &&
-                   BURNISH_SRGB_FIRST_BITS == SRGB_FIRST_BITS &&
-                   BURNISH_SRGB_LAST_BITS == SRGB_LAST_BITS,
-               "the packed table is that of srgb_table.h");
+_Static_assert(BURNISH_SRGB_FIRST_BITS == SRGB_FIRST_BITS &&
+                   BURNISH_SRGB_LAST_BITS == SRGB_LAST_BITS &&
+                   BURNISH_SRGB_BUCKETS << 16 == SRGB_BUCKETS << SRGB_BUCKET_SHIFT,
+               "the packed table covers the floats of srgb_table.h");
 
 void burnish_srgb_encoder_make(burnish_srgb_encoder *encoder) {
     memset(encoder, 0, sizeof *encoder);
-    for (int i = 0; i < SRGB_BUCKETS; ++i) {
-        const uint32_t end = SRGB_FIRST_BITS + (((uint32_t)i + 1) << SRGB_BUCKET_SHIFT);
+    for (uint32_t i = 0; i < BURNISH_SRGB_BUCKETS; ++i) {
+        const uint32_t first = SRGB_FIRST_BITS + (i << 16), end = first + (1 << 16);
+        const uint32_t code = burnish_linear_to_srgb(bits_float(first));
         uint32_t level;
-        memcpy(&level, &next_threshold[bucket_code[i]], sizeof level);
+        memcpy(&level, &next_threshold[code], sizeof level);
         encoder->entries[BURNISH_SRGB_AROUND + i] =
-            (int32_t)(((bucket_code[i] + 1u) << SRGB_BUCKET_SHIFT) - (level < end ? level : end));
+            (int32_t)(((code + 1) << 16) - (level < end ? level : end));
     }
 }
 
