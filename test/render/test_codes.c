@@ -6,7 +6,7 @@
 #include "shading/shading_ops.h"
 #include "support.h"
 
-enum { COUNT = 256, ROUNDS = 20000 };
+enum { COUNT = 304, ROUNDS = 20000 }; /* 16 times an odd number: pairs and single vectors */
 
 static float normals[3][COUNT], depths[COUNT], light[3][COUNT];
 static int flat_ends[COUNT]; /* of the face that begins there, if it is flat; else 0 */
