@@ -175,9 +175,9 @@ BURNISH_INLINE vi load_face_codes(const float *numbers, vm *left) {
  * vectors' lights are computed. */
 enum { CODE_VECTORS = 16 };
 typedef struct code_chunk {
+    _Alignas(64) float light[3][CODE_VECTORS * LANES];
     size_t first;    /* of its pixels */
     unsigned shaded; /* bits of the vectors whose light is here; the others have codes */
-    float light[3][CODE_VECTORS * LANES];
 } code_chunk;
 
 typedef struct code_vector {
@@ -204,11 +204,10 @@ BURNISH_INLINE void store_codes(const burnish_code_batch *batch, const code_vect
 BURNISH_INLINE void shade_some_codes(shade_kernel kernel, int ways,
                                      const burnish_kernels_shader *shader,
                                      const burnish_srgb_encoder *encoder,
-                                     const burnish_code_batch *batch, size_t i, code_chunk *chunk,
-                                     uint32_t *codes) {
+                                     const burnish_code_batch *batch,
+                                     const burnish_kernels_points *points, size_t i,
+                                     code_chunk *chunk, uint32_t *codes) {
     burnish_code_direction *known = batch->known;
-    const burnish_kernels_points points = {
-        .normal = {batch->normal[0], batch->normal[1], batch->normal[2]}};
     const size_t at = i - chunk->first;
     code_vector v[SHADE_WAYS];
     vm left[SHADE_WAYS];
@@ -218,8 +217,8 @@ BURNISH_INLINE void shade_some_codes(shade_kernel kernel, int ways,
         left[j] = v[j].left;
         any |= vm_any(left[j]);
     }
-    const int is_known =
-        LANES > 1 && known->state != CODE_NONE && points_there(known, ways, points.normal, i, left);
+    const int is_known = LANES > 1 && known->state != CODE_NONE &&
+                         points_there(known, ways, points->normal, i, left);
     if (any && is_known && known->state == CODE_UNKNOWN) {
         find_code(kernel, shader, encoder, known);
     }
@@ -231,7 +230,7 @@ BURNISH_INLINE void shade_some_codes(shade_kernel kernel, int ways,
         return;
     }
     vf light[SHADE_WAYS][3];
-    shade_points(kernel, ways, shader, &points, i, light);
+    shade_points(kernel, ways, shader, points, i, light);
     chunk->shaded |= ((1u << ways) - 1) << at / LANES;
     for (int j = 0; j < ways; ++j) {
         for (int k = 0; k < kernel.channels; ++k) {
@@ -240,7 +239,7 @@ BURNISH_INLINE void shade_some_codes(shade_kernel kernel, int ways,
     }
     if (!is_known) {
         const unsigned bits = vm_bits(left[ways - 1]);
-        next_direction(known, points.normal,
+        next_direction(known, points->normal,
                        i + (size_t)(ways - 1) * LANES + (bits ? (size_t)__builtin_ctz(bits) : 0));
     }
 }
@@ -252,6 +251,8 @@ BURNISH_INLINE void shade_codes(int body, int channels, const burnish_kernels_sh
     const shade_kernel kernel = {body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_FLOAT, channels};
     burnish_code_direction known = *given->known; /* which no store can change */
     burnish_code_batch batch = *given;
+    const burnish_kernels_points points = {
+        .normal = {given->normal[0], given->normal[1], given->normal[2]}};
     code_chunk chunk;
     batch.known = &known;
     if (known.shader != shader) {
@@ -263,10 +264,11 @@ BURNISH_INLINE void shade_codes(int body, int channels, const burnish_kernels_sh
         chunk.first = i;
         chunk.shaded = 0;
         for (; i + PAIR <= end; i += PAIR) {
-            shade_some_codes(kernel, SHADE_WAYS, shader, encoder, &batch, i, &chunk, codes);
+            shade_some_codes(kernel, SHADE_WAYS, shader, encoder, &batch, &points, i, &chunk,
+                             codes);
         }
         for (; i < end; i += LANES) {
-            shade_some_codes(kernel, 1, shader, encoder, &batch, i, &chunk, codes);
+            shade_some_codes(kernel, 1, shader, encoder, &batch, &points, i, &chunk, codes);
         }
         for (; chunk.shaded; chunk.shaded &= chunk.shaded - 1) {
             const size_t at = (size_t)__builtin_ctz(chunk.shaded) * LANES;
