@@ -69,16 +69,18 @@ typedef struct burnish_code_direction {
     float limit;                                 /* of what others are off; 0: none points there */
     float inverse;                               /* of the largest component */
     int32_t code;
-    int pause, left; /* vectors between two tries, and until the next */
+    int pause, left; /* steps that were shaded between two tries, and until the next */
 } burnish_code_direction;
 
 /* Pixels that become codes: normals of any length, which are shown where their depth is that of a
  * triangle. */
 typedef struct burnish_code_batch {
     const float *normal[3], *depths;
+    const struct burnish_srgb_encoder *encoder;
     uint32_t alpha, background; /* bits of the shown ones; the code of the others */
     burnish_code_direction *known;
     int has_codes; /* 1: normal[0] has face_code's codes in places */
+    uint32_t *codes;
 } burnish_code_batch;
 
 /* From linear light to the light of 8-bit pixels. */
@@ -266,9 +268,7 @@ typedef struct burnish_render_ops {
     /* The codes of count pixels, a multiple of 16, for a shader of that burnish_lobe_body with
      * directional lights and a distant viewer: what `shade` and encode_pixels make of them. */
     void (*shade_codes[BURNISH_CODE_BODIES])(const struct burnish_kernels_shader *shader,
-                                             const struct burnish_srgb_encoder *encoder,
-                                             const burnish_code_batch *batch, size_t count,
-                                             uint32_t *codes);
+                                             const burnish_code_batch *batch, size_t count);
 
     /* The code of all normals whose direction is within 2^-18.4 of a vector's, as the bits of a
      * float that is not finite; 0 if they have several. */

@@ -74,12 +74,19 @@ static void code_faces(const burnish_render_ops *ops, const burnish_kernels_shad
 static void test_all(void) {
     const uint32_t alpha = 0xff000000u, background = 0x123456u;
     burnish_code_direction known = {0};
-    burnish_code_batch batch = {
-        {normals[0], normals[1], normals[2]}, depths, alpha, background, &known, 0};
+    uint32_t codes[COUNT], expected[COUNT];
+    burnish_srgb_encoder encoder;
+    burnish_code_batch batch = {{normals[0], normals[1], normals[2]},
+                                depths,
+                                &encoder,
+                                alpha,
+                                background,
+                                &known,
+                                0,
+                                codes};
     const burnish_kernels_points points = {.normal = {normals[0], normals[1], normals[2]}};
     float *const rgb[3] = {light[0], light[1], light[2]};
     const float *const shaded[3] = {light[0], light[1], light[2]};
-    burnish_srgb_encoder encoder;
     burnish_light_constants lights[2];
     burnish_kernels_shader shader;
     uint64_t state = test_seed(0x636f6465);
@@ -90,7 +97,6 @@ static void test_all(void) {
         const burnish_shading_ops *kernels = burnish_shading_ops_for(isa);
         const burnish_render_ops *ops =
             burnish_kernels_for(isa) ? burnish_render_ops_for(isa) : NULL;
-        uint32_t codes[COUNT], expected[COUNT];
         known.shader = NULL;
         batch.has_codes = round / BURNISH_ISA_COUNT % 2;
         memset(flat_ends, 0, sizeof flat_ends);
@@ -105,7 +111,7 @@ static void test_all(void) {
         if (batch.has_codes) {
             code_faces(ops, &shader, &encoder);
         }
-        ops->shade_codes[shader.lobe.body](&shader, &encoder, &batch, COUNT, codes);
+        ops->shade_codes[shader.lobe.body](&shader, &batch, COUNT);
         for (int i = 0; i < COUNT; ++i) {
             const int is_shown = depths[i] > BURNISH_FARTHEST;
             wrong[isa] += codes[i] != (is_shown ? expected[i] | alpha : background);

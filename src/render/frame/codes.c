@@ -33,10 +33,12 @@ static void shade_run(const burnish_surface *surface, const burnish_output *outp
                                                  planes[BURNISH_PLANE_Y] + start,
                                                  planes[BURNISH_PLANE_Z] + start},
                                       .depths = tile->buffer.depths + start,
+                                      .encoder = output->encoder,
                                       .alpha = output->alpha,
                                       .background = output->background_code,
                                       .known = &scratch->known,
-                                      .has_codes = tile->options.has_codes};
+                                      .has_codes = tile->options.has_codes,
+                                      .codes = codes + run.first};
     int32_t *materials = scratch->material + run.first;
     if (surface->triangle_materials &&
         !burnish_find_materials(surface, tile, run, &row->pixels, materials)) {
@@ -53,8 +55,7 @@ static void shade_run(const burnish_surface *surface, const burnish_output *outp
     }
     const burnish_kernels_shader *shader =
         &shading->shaders[surface->triangle_materials ? materials[0] : 0];
-    output->ops->shade_codes[shader->lobe.body](shader, output->encoder, &batch, count,
-                                                codes + run.first);
+    output->ops->shade_codes[shader->lobe.body](shader, &batch, count);
 }
 
 void burnish_codes_shade_row(const burnish_surface *surface, const burnish_output *output,

@@ -194,19 +194,18 @@ BURNISH_INLINE code_vector load_code_vector(const burnish_code_batch *batch, siz
 }
 
 BURNISH_INLINE void store_codes(const burnish_code_batch *batch, const code_vector *v, vi own,
-                                uint32_t *codes) {
+                                size_t i) {
     const vi alpha = vi_set((int32_t)batch->alpha), background = vi_set((int32_t)batch->background);
     own = batch->has_codes ? vi_blend(v->left, own, v->of_face) : own;
-    vi_store((int32_t *)codes, vi_blend(v->shown, vi_or(own, alpha), background));
+    vi_store((int32_t *)batch->codes + i, vi_blend(v->shown, vi_or(own, alpha), background));
 }
 
 /* `ways` vectors of pixels from i on: their light, or their codes if all have one that is known. */
 BURNISH_INLINE void shade_some_codes(shade_kernel kernel, int ways,
                                      const burnish_kernels_shader *shader,
-                                     const burnish_srgb_encoder *encoder,
                                      const burnish_code_batch *batch,
                                      const burnish_kernels_points *points, size_t i,
-                                     code_chunk *chunk, uint32_t *codes) {
+                                     code_chunk *chunk) {
     burnish_code_direction *known = batch->known;
     const size_t at = i - chunk->first;
     code_vector v[SHADE_WAYS];
@@ -220,12 +219,12 @@ BURNISH_INLINE void shade_some_codes(shade_kernel kernel, int ways,
     const int is_known = LANES > 1 && known->state != CODE_NONE &&
                          points_there(known, ways, points->normal, i, left);
     if (any && is_known && known->state == CODE_UNKNOWN) {
-        find_code(kernel, shader, encoder, known);
+        find_code(kernel, shader, batch->encoder, known);
     }
     if (!any || (is_known && known->state == CODE_ONE)) {
         known->pause = any ? 0 : known->pause;
         for (int j = 0; j < ways; ++j) {
-            store_codes(batch, &v[j], vi_set(known->code), codes + i + (size_t)j * LANES);
+            store_codes(batch, &v[j], vi_set(known->code), i + (size_t)j * LANES);
         }
         return;
     }
@@ -245,8 +244,7 @@ BURNISH_INLINE void shade_some_codes(shade_kernel kernel, int ways,
 }
 
 BURNISH_INLINE void shade_codes(int body, int channels, const burnish_kernels_shader *shader,
-                                const burnish_srgb_encoder *encoder,
-                                const burnish_code_batch *given, size_t count, uint32_t *codes) {
+                                const burnish_code_batch *given, size_t count) {
     enum { PAIR = SHADE_WAYS * LANES };
     const shade_kernel kernel = {body, BURNISH_SHADE_DISTANT, BURNISH_SHADE_FLOAT, channels};
     burnish_code_direction known = *given->known; /* which no store can change */
@@ -264,11 +262,10 @@ BURNISH_INLINE void shade_codes(int body, int channels, const burnish_kernels_sh
         chunk.first = i;
         chunk.shaded = 0;
         for (; i + PAIR <= end; i += PAIR) {
-            shade_some_codes(kernel, SHADE_WAYS, shader, encoder, &batch, &points, i, &chunk,
-                             codes);
+            shade_some_codes(kernel, SHADE_WAYS, shader, &batch, &points, i, &chunk);
         }
         for (; i < end; i += LANES) {
-            shade_some_codes(kernel, 1, shader, encoder, &batch, &points, i, &chunk, codes);
+            shade_some_codes(kernel, 1, shader, &batch, &points, i, &chunk);
         }
         for (; chunk.shaded; chunk.shaded &= chunk.shaded - 1) {
             const size_t at = (size_t)__builtin_ctz(chunk.shaded) * LANES;
@@ -277,8 +274,8 @@ BURNISH_INLINE void shade_codes(int body, int channels, const burnish_kernels_sh
             for (int k = 1; k < channels; ++k) {
                 light[k] = vf_load(chunk.light[k] + at);
             }
-            store_codes(&batch, &v, encode_channels(encoder, channels, light),
-                        codes + chunk.first + at);
+            store_codes(&batch, &v, encode_channels(batch.encoder, channels, light),
+                        chunk.first + at);
         }
     }
     *given->known = known;
@@ -314,12 +311,11 @@ BURNISH_INLINE int32_t face_code(int body, const burnish_kernels_shader *shader,
 
 #define CODE_FUNCTION(name, body)                                                                  \
     static void codes_##name(const burnish_kernels_shader *shader,                                 \
-                             const burnish_srgb_encoder *encoder, const burnish_code_batch *batch, \
-                             size_t count, uint32_t *codes) {                                      \
+                             const burnish_code_batch *batch, size_t count) {                      \
         if (is_grey(shader)) {                                                                     \
-            shade_codes(body, 1, shader, encoder, batch, count, codes);                            \
+            shade_codes(body, 1, shader, batch, count);                                            \
         } else {                                                                                   \
-            shade_codes(body, 3, shader, encoder, batch, count, codes);                            \
+            shade_codes(body, 3, shader, batch, count);                                            \
         }                                                                                          \
     }                                                                                              \
     static int32_t face_##name(const burnish_kernels_shader *shader,                               \
