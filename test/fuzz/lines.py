@@ -17,7 +17,7 @@ import subprocess
 import sys
 
 INPUTS = ":sphere :torus :teapot :knot cube.obj wedge.stl colors.ply none.obj - . : :x /dev/null".split() + [""]
-OUTPUTS = "out.png out.jpg out.svg out.webp out.exr out.gif out.npy - /dev/full none/x.png . out".split() + [""]
+OUTPUTS = "out.png out.jpg out.svg out.pdf out.webp out.exr out.gif out.npy - /dev/full none/x.png . out".split() + [""]
 VALUES = """0 1 2 3 -1 0.5 1e9 1e308 -1e308 nan inf 1e-320 , ,, 1,2 1,2,3 0,0,0 1,1,1,1 -1,0,0,0.2 1,2,3,4,5 #fff #abcdef red none auto all +Z
     -X taylor:2 minimax:8 power level.5 zeta3 taylor:3 camera-point:1,2,3 directional:0,0,1:0.5:#fff front,top,iso front iso,iso depth:d.png
     normal:n.exr color:- axes,scale 12,34 100,10 65536 4294967296 18446744073709551616 5K %s%n -- -o = true""".split() + [

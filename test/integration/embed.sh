@@ -1,7 +1,7 @@
 #!/bin/sh
 # The library as a part of another project, without pkg-config and other libraries: docs/examples/picture.c draws the program's pixels.
 #   cmake  by add_subdirectory()
-#   cc     by one command, as docs/api.md says
+#   cc     by the command of docs/api.md, but for its optimisation
 #   lobe   not the library, but the lobes with base/ alone
 # Usage: embed.sh cmake|cc|lobe BURNISH CC SOURCE_DIR SCRATCH
 set -eu
