@@ -50,4 +50,4 @@ while read -r expected arguments; do
 done <"$scratch/golden.txt"
 rm -f "$scratch/golden.png"
 echo "golden: $checks checks, $failures failed; instruction sets:$sets"
-[ "$checks" -ge 12 ] && [ "$failures" -eq 0 ]
+[ "$checks" -ge 15 ] && [ "$failures" -eq 0 ]
